@@ -87,20 +87,33 @@ if $train; then
     learn amp-pfnn-1-half amp-pfnn --clusters 1 --demonstrations half/manifest.csv
     learn moglow-unmirrored moglow --no-mirror
     learn moglow-half moglow --demonstrations half/manifest.csv
-    systems+=(amp-pfnn-1-unmirrored amp-pfnn-1-half moglow-unmirrored moglow-half)
+    # Rewarded for something else, and how much the task counts.
+    learn amp-pfnn-8-eye-fingertip amp-pfnn --clusters 8 --reward eye-fingertip
+    learn amp-pfnn-8-observer amp-pfnn --clusters 8 --reward observer
+    for weight in 0 0.25 0.75 0.9; do
+        learn amp-pfnn-1-task-$weight amp-pfnn --clusters 1 --set task_weight=$weight \
+            --set "style_weight=$(awk "BEGIN { print 1 - $weight }")"
+    done
+    # Not the paper's.
+    learn amp-pfnn-1-plus amp-pfnn --clusters 1 --set separate_critics=1 --set discriminator_window=10 \
+        --set lipschitz_penalty=0.002 --set power_penalty=0.0005
 else
     for file in "$data"/weights/*.weights; do made "weights/$(basename "$file")" cp "$file" weights/; done
 fi
 
 # clips GRID SYSTEM: the rows of systems trained otherwise are named so.
 clips() {
-    local folder=$1/$2 system=${2%-unmirrored} weights=()
-    system=${system%-half}
+    local folder=$1/$2 weights=() system
+    system=$(sed -E 's/^(amp-pfnn-[0-9]+|moglow)-.*/\1/' <<<"$2")
     [ ! -e "$folder" ] || return 0
     [ ! -e "weights/$2.weights" ] || weights=(--weights "weights/$2.weights")
-    "$program" generate "$system" --targets "$1.csv" "${weights[@]}" -o "$folder" >/dev/null
-    [ "$system" = "$2" ] || sed -i "s/,$system,/,$2,/" "$folder/manifest.csv"
+    "$program" generate "$system" --targets "$1.csv" "${weights[@]}" -o "$folder.new" --force >/dev/null
+    [ "$system" = "$2" ] || sed -i "s/,$system,/,$2,/" "$folder.new/manifest.csv"
+    mv "$folder.new" "$folder"
 }
+for file in weights/*-*-*-*.weights weights/moglow-*.weights; do # systems trained otherwise
+    [ ! -e "$file" ] || systems+=("$(basename "$file" .weights)")
+done
 say "objective evaluation"
 made_text box.csv "$program" targets --grid "$points"
 made_text spherical.csv "$program" targets --grid "$points" --spherical

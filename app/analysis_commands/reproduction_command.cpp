@@ -53,14 +53,24 @@ Result<void> readNamed(const char* option, const std::vector<std::string>& texts
     return {};
 }
 
-Result<results::SystemSize> sizeOf(const fs::path& file) {
+Result<results::TrainedSystem> readTrained(const fs::path& file) {
     const auto bytes = readFile(file);
     if (!bytes) return tl::unexpected(bytes.error());
     const auto weights = motion::decodeWeights(*bytes, file.string());
     if (!weights) return tl::unexpected(weights.error());
-    results::SystemSize out{.system = file.stem().string(),
-                            .bytes = static_cast<long long>(bytes->size()),
-                            .trained = fmt::format("{} ({})", weights->program_version, weights->commit)};
+    const auto metric = [&](const char* name) {
+        const auto found = weights->metrics.find(name);
+        return found == weights->metrics.end() ? std::nullopt : std::optional(found->second);
+    };
+    results::TrainedSystem out{
+        .system = file.stem().string(),
+        .bytes = static_cast<long long>(bytes->size()),
+        .rewarded = weights->text("task").value_or(""),
+        .trained_by = fmt::format("{} ({})", weights->program_version, weights->commit.substr(0, 12)),
+        .reward = metric("validation_reward"),
+        .jerk_ratio = metric("validation_jerk_ratio"),
+        .at_rest = metric("validation_at_rest"),
+        .arm_error_m = metric("validation_arm_error_m")};
     for (const auto& array : weights->arrays) out.numbers += static_cast<long long>(array.values.size());
     return out;
 }
@@ -86,9 +96,9 @@ Result<void> write(const ReproductionArguments& options) {
         input.demonstrations = std::move(*demonstrations);
     }
     for (const std::string& file : options.weights) {
-        auto size = sizeOf(file);
-        if (!size) return tl::unexpected(size.error());
-        input.sizes.push_back(std::move(*size));
+        auto trained = readTrained(file);
+        if (!trained) return tl::unexpected(trained.error());
+        input.trained.push_back(std::move(*trained));
     }
     if (!options.picture.empty()) {
         auto svg = readFile(options.picture);

@@ -230,7 +230,7 @@ class Claims {
 
     void sizes() {
         long long moglow = 0, largest_policy = 0;
-        for (const SystemSize& one : input_.sizes) {
+        for (const TrainedSystem& one : input_.trained) {
             if (one.system == "moglow") moglow = one.numbers;
             if (one.system.starts_with("amp-") && paperSystem(one.system) != nullptr)
                 largest_policy = std::max(largest_policy, one.numbers);

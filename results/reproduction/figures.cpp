@@ -129,4 +129,45 @@ Figure studyBesidePaper(const ReproductionInput& input, const std::string& measu
             {{"height", 300}, {"layer", std::move(layers)}}};
 }
 
+Figure accuracyAndImitation(const ReproductionInput& input, Numbering& figures) {
+    const GridFigures& grid = input.grids.front();
+    FigureJson points = FigureJson::array();
+    std::string label;
+    for (const TrainedSystem& trained : input.trained) {
+        const auto found = std::ranges::find_if(
+            grid.systems, [&](const GridFigures::System& one) { return one.system == trained.system; });
+        if (found == grid.systems.end() || !found->mean || !trained.arm_error_m) continue;
+        const double arm_cm = 100.0 * *trained.arm_error_m;
+        points.push_back(
+            {{"x", rounded(arm_cm)},
+             {"y", rounded(*found->mean)},
+             {"name", trained.system},
+             {"tip", fmt::format("{}: {:.3f}, {:.1f} cm", trained.system, *found->mean, arm_cm)}});
+        label += fmt::format(" {}: {:.3f} at {:.1f} cm.", trained.system, *found->mean, arm_cm);
+    }
+    FigureJson at = xyEncoding();
+    at["x"]["axis"] = {{"title", "arm beside the demonstration's, cm"}};
+    at["x"]["scale"] = {{"zero", false}, {"padding", 40}};
+    at["y"]["axis"] = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}};
+    at["y"]["scale"] = {{"zero", false}, {"padding", 16}};
+    FigureJson named = at;
+    named["text"] = {{"field", "name"}};
+    FigureJson layers = FigureJson::array();
+    layers.push_back(layerOf(
+        points,
+        {{"type", "point"}, {"filled", true}, {"size", 70}, {"color", systemColour(0)}, {"opacity", 1}},
+        std::move(at)));
+    layers.push_back(layerOf(std::move(points),
+                             {{"type", "text"}, {"dy", -10}, {"fontSize", 11}, {"color", ink_colour}},
+                             std::move(named)));
+    return {"imitation",
+            figures.next() +
+                fmt::format(" Accuracy on the {} against how far the arm is from where the demonstrations "
+                            "have it, at held-out targets. The demonstrations&#8217; forearms do not point "
+                            "at their targets, so that one costs the other.",
+                            escapeHtml(grid.grid)),
+            label.empty() ? "Nothing." : label.substr(1),
+            {{"height", 340}, {"layer", std::move(layers)}}};
+}
+
 }  // namespace deixis::results

@@ -16,4 +16,8 @@ namespace deixis::results {
 [[nodiscard]] Figure studyBesidePaper(const ReproductionInput& input, const std::string& measure,
                                       Numbering& figures);
 
+/// Accuracy on the first grid against the arm's distance from the held-out demonstrations', a point for each
+/// trained system.
+[[nodiscard]] Figure accuracyAndImitation(const ReproductionInput& input, Numbering& figures);
+
 }  // namespace deixis::results

@@ -106,6 +106,9 @@ std::string objectiveSection(const ReproductionInput& input, Numbering& figures,
              {"sd", &Row::sd, {.label = "SD", .format = Format::three_decimals}},
              {"median", &Row::median, {.label = "median", .format = Format::three_decimals}},
              {"error_deg", &Row::error_deg, {.label = "error (\u00b0)", .format = Format::one_decimal}},
+             {"eye_error_deg",
+              &Row::eye_error_deg,
+              {.label = "eye\u2013fingertip (\u00b0)", .format = Format::one_decimal}},
              {"outliers", [](const Row& one) { return lowOutliers(one.accuracies); }, {.label = "outliers"}},
              {"missing", &Row::missing, {.label = "missing"}},
              {"paper_rho",
@@ -276,17 +279,35 @@ std::string demonstrationsSection(const ReproductionInput& input, Numbering& fig
                tables);
 }
 
-std::string sizesSection(const ReproductionInput& input, Numbering& tables) {
-    if (input.sizes.empty()) return "";
-    using Row = SystemSize;
-    return "\n<h2>Sizes</h2>" +
-           tableHtml(tableOf<Row>("sizes", units::none, "",
-                                  {{"system", &Row::system},
-                                   {"numbers", &Row::numbers, {.label = "numbers learned"}},
-                                   {"bytes", &Row::bytes, {.label = "bytes of the file"}},
-                                   {"trained", &Row::trained, {.label = "trained by"}}},
-                                  input.sizes),
-                     "What each system has learned, as its file holds it. The paper gives no sizes.", tables);
+std::string trainedSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+    if (input.trained.empty()) return "";
+    using Row = TrainedSystem;
+    std::string out = "\n<h2>What was trained</h2>";
+    const auto in_cm = [](const Row& one) -> std::optional<double> {
+        return one.arm_error_m ? std::optional(100.0 * *one.arm_error_m) : std::nullopt;
+    };
+    if (!input.grids.empty())
+        out += figuresPlaced(figureHtml(accuracyAndImitation(input, figures)), FigurePlace::single);
+    return out +
+           tableHtml(
+               tableOf<Row>("trained", units::none, "",
+                            {{"system", &Row::system},
+                             {"numbers", &Row::numbers, {.label = "numbers"}},
+                             {"bytes", &Row::bytes, {.label = "bytes"}},
+                             {"rewarded", &Row::rewarded, {.label = "rewarded"}},
+                             {"reward", &Row::reward, {.label = "reward", .format = Format::three_decimals}},
+                             {"jerk", &Row::jerk_ratio, {.label = "jerk", .format = Format::plain}},
+                             {"at_rest", &Row::at_rest, {.label = "at rest", .format = Format::percent}},
+                             {"arm_error", in_cm, {.label = "arm (cm)", .format = Format::one_decimal}},
+                             {"trained_by", &Row::trained_by, {.label = "trained by"}}},
+                            input.trained),
+               "What each system has learned, as its file says: how many numbers, what a policy was rewarded "
+               "for (Eq. "
+               "2 of which line), and of held-out targets that reward, the hand\u2019s jerk over the "
+               "demonstrations\u2019, the share of clips that end at rest, and how far elbow and wrist are "
+               "from the "
+               "demonstration\u2019s. The paper gives no sizes.",
+               tables, dense_table);
 }
 
 std::string provenance(const ReproductionInput& input) {
@@ -309,7 +330,7 @@ std::string renderReproduction(const ReproductionInput& input) {
     sections += objectiveSection(input, figures, tables);
     sections += studySection(input, figures, tables);
     sections += demonstrationsSection(input, figures, tables);
-    sections += sizesSection(input, tables);
+    sections += trainedSection(input, figures, tables);
     const std::string title = "Deichler et al. (2023), and the same here";
     return withContents(pageStart(title, title) + lead(input, claims), sections + provenance(input)) +
            pageEnd("The tables have the figures' numbers.");

@@ -56,6 +56,7 @@ GridFigures gridFrom(const Parsed& json) {
         system.sd = numberOf(one.at("accuracy").at("sd"));
         system.median = numberOf(one.at("accuracy").at("median"));
         system.error_deg = numberOf(one.at("error_deg").at("mean"));
+        system.eye_error_deg = numberOf(one.at("ray_errors_deg").at("eye-fingertip").at("mean"));
         system.density_rho = numberOf(one.at("density_correlation").at("rho"));
         system.density_p = numberOf(one.at("density_correlation").at("p"));
         for (const Parsed& target : json.at("targets"))

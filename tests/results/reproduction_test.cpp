@@ -150,8 +150,15 @@ TEST_SUITE("results/reproduction") {
         input.studies = {peopleAsInThePaper()};
         input.studies[0].participants_kind = "two-cue <simulated>";
         input.studies[0].synthetic = true;
-        input.sizes = {{"moglow", 2'000'000, 4'000'000, "deixis 1 (abc)"},
-                       {"amp-pfnn-8", 400'000, 800'000, ""}};
+        input.trained = {{.system = "moglow", .numbers = 2'000'000, .bytes = 4'000'000, .arm_error_m = 0.14},
+                         {.system = "amp-pfnn-8",
+                          .numbers = 400'000,
+                          .bytes = 800'000,
+                          .rewarded = "forearm",
+                          .reward = 0.6,
+                          .jerk_ratio = 1.1,
+                          .at_rest = 0.99,
+                          .arm_error_m = 0.085}};
         input.pages = {"grid.html"};
         const std::string page = renderReproduction(input);
         CHECK(deixis::tests::XmlDocument(page).count("//h:h2") == 5);
@@ -166,6 +173,12 @@ TEST_SUITE("results/reproduction") {
             paper += contains(one["tip"].get<std::string>(), " in the paper: mean 0.") ? 1 : 0;
         CHECK(paper == 4);  // the paper prints four means
         CHECK(deixis::tests::valuesWith(drawn.at("study-accuracy"), "low").size() >= 4);
+        REQUIRE(drawn.contains("imitation"));
+        const auto points = deixis::tests::valuesWith(drawn.at("imitation"), "name");
+        REQUIRE(points.size() >= 2);
+        CHECK(points[1]["x"] == 8.5);
+        CHECK(points[1]["y"] == 0.62);
+        CHECK(contains(pageText(page), "amp-pfnn-8|400000|800000|forearm|0.600|1.10|99.0"));
     }
 
     TEST_CASE("files of another kind are refused by name") {

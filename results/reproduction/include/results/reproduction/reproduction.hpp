@@ -19,6 +19,7 @@ struct GridFigures {
         bool synthetic = false;
         int missing = 0;  ///< clips without accuracy
         std::optional<double> mean{}, sd{}, median{}, error_deg{};
+        std::optional<double> eye_error_deg{};  ///< of the line from the eyes through the fingertip
         std::optional<double> density_rho{}, density_p{};
         std::vector<double> accuracies{};  ///< Equation 2 of each clip that has one
     };
@@ -76,11 +77,18 @@ struct DemonstrationFigures {
     double peak_speed_m_s = 0.0;  ///< of the wrist
 };
 
-struct SystemSize {
+/// What a file of weights says of itself.
+struct TrainedSystem {
     std::string system;
-    long long numbers = 0;  ///< that were trained
-    long long bytes = 0;    ///< of the file
-    std::string trained;    ///< program and commit, or empty
+    long long numbers = 0;     ///< that were learned
+    long long bytes = 0;       ///< of the file
+    std::string rewarded{};    ///< the task of a policy, such as "forearm"; empty of others
+    std::string trained_by{};  ///< program and commit
+    // Of held-out targets, as far as the file says it:
+    std::optional<double> reward{};      ///< Equation 2, or the same of what was rewarded
+    std::optional<double> jerk_ratio{};  ///< over the demonstrations'
+    std::optional<double> at_rest{};     ///< share of clips that end so
+    std::optional<double> arm_error_m{};
 };
 
 struct ReproductionInput {
@@ -88,7 +96,7 @@ struct ReproductionInput {
     std::vector<StudyFigures> studies;
     std::optional<CeilingFigures> ceiling{};
     std::vector<DemonstrationFigures> demonstrations{};
-    std::vector<SystemSize> sizes{};
+    std::vector<TrainedSystem> trained{};
     std::string targets_svg{};       ///< training and test targets; may be empty
     std::vector<std::string> pages;  ///< files with more, as the page links to them
     std::string program;
