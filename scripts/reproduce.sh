@@ -26,7 +26,7 @@ while [ $# -gt 0 ]; do
     esac
     case $1 in
     -o) out=$2 ;;
-    --program) program=$(realpath "$here/$2") ;;
+    --program) program=$(cd "$here" && realpath "$2") ;;
     --updates) updates=(--updates "$2") ;;
     --grid) points=$2 ;;
     --participants) participants=$2 ;;

@@ -24,6 +24,7 @@
 #include "core/files.hpp"
 #include "core/number.hpp"
 #include "core/server_address.hpp"
+#include "core/text.hpp"
 #include "results/analysis/analysis.hpp"
 #include "results/answers/long_table.hpp"
 #include "results/answers/stations.hpp"
@@ -87,11 +88,11 @@ Result<std::map<std::string, studies::Range>> scalesFrom(const std::vector<std::
 Result<std::map<std::string, std::string>> columnsFrom(const std::vector<std::string>& texts) {
     std::map<std::string, std::string> out;
     for (const std::string& text : texts) {
-        const auto equals = text.find('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        const auto column = nameAndValue(text);
+        if (!column)
             return fail("--column", fmt::format("found \"{}\", expected MEANING=NAME", text),
                         "Such as participant=subject, if the file calls participants subjects");
-        out[text.substr(0, equals)] = text.substr(equals + 1);
+        out[column->first] = column->second;
     }
     return out;
 }

@@ -10,6 +10,7 @@
 #include "app/program/version.hpp"
 #include "app/program/written_output.hpp"
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "motion/networks/weights_file.hpp"
 #include "results/reproduction/reproduction.hpp"
 
@@ -31,21 +32,13 @@ struct ReproductionArguments {
     bool force = false;
 };
 
-/// "NAME=FILE".
-Result<std::pair<std::string, std::string>> named(const char* option, const std::string& text) {
-    const std::size_t at = text.find('=');
-    if (at == 0 || at == std::string::npos || at + 1 == text.size())
-        return fail(option, fmt::format("found '{}', expected NAME=FILE", text));
-    return std::pair(text.substr(0, at), text.substr(at + 1));
-}
-
 /// Reads each of an option's NAME=FILE.
 template <typename Figures, typename Read>
 Result<void> readNamed(const char* option, const std::vector<std::string>& texts, Read read,
                        std::vector<Figures>& out) {
     for (const std::string& text : texts) {
-        const auto one = named(option, text);
-        if (!one) return tl::unexpected(one.error());
+        const auto one = nameAndValue(text);
+        if (!one) return fail(option, fmt::format("found '{}', expected NAME=FILE", text));
         auto figures = read(one->first, one->second);
         if (!figures) return tl::unexpected(figures.error());
         out.push_back(std::move(*figures));
@@ -119,18 +112,15 @@ void addReproductionCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ReproductionArguments>();
     Parser command =
         cli.addCommand("reproduction", "Set results beside those of Deichler et al. (2023): one page");
-    describe(
-        command,
-        {.writes = "the page (-o; default: reproduction.html in this folder).",
-         .example = "scripts/reproduce.sh --quick\ndeixis reproduction --grid spherical=grid.json --study "
-                    "two-cue=analysis.json -o reproduction.html",
-         .page = "docs/reproduction.md"});
+    describe(command, {.writes = "the page (-o; default: reproduction.html in this folder).",
+                       .example = "scripts/reproduce.sh --quick\ndeixis reproduction --grid "
+                                  "spherical=grid.json --study two-cue=analysis.json -o reproduction.html",
+                       .page = "docs/reproduction.md"});
     command.addOption("--grid", options->grids,
                       "NAME=FILE: JSON of an objective evaluation (deixis evaluate); may be repeated");
-    command.addOption(
-        "--study", options->studies,
-        "NAME=FILE: JSON of a report on pointing2023 (deixis report), NAME being who answered; may be "
-        "repeated");
+    command.addOption("--study", options->studies,
+                      "NAME=FILE: JSON of a report on pointing2023 (deixis report), NAME being who answered; "
+                      "may be repeated");
     command.addOption("--ceiling", options->ceiling,
                       "JSON of an evaluation of the study's clips (deixis evaluate --study)");
     command.addOption("--demonstrations", options->demonstrations,

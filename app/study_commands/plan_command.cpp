@@ -14,6 +14,7 @@
 #include "app/study/enrolment.hpp"
 #include "app/study/study_under_way.hpp"
 #include "app/study_commands/study_commands.hpp"
+#include "core/text.hpp"
 #include "results/store/store.hpp"
 #include "studies/design/plan.hpp"
 
@@ -34,10 +35,9 @@ struct PlanArguments {
 Result<studies::Groups> parseGroups(const std::vector<std::string>& options) {
     studies::Groups groups;
     for (const std::string& option : options) {
-        const auto equals = option.find('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == option.size())
-            return fail("--group", fmt::format("'{}' was given; expected FACTOR=LEVEL", option));
-        groups[option.substr(0, equals)] = option.substr(equals + 1);
+        const auto group = nameAndValue(option);
+        if (!group) return fail("--group", fmt::format("'{}' was given; expected FACTOR=LEVEL", option));
+        groups[group->first] = group->second;
     }
     return groups;
 }

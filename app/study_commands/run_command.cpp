@@ -82,11 +82,11 @@ Result<Seat> takeSeat(const RunArguments& options, const results::Store& store) 
 Result<std::map<std::string, std::string>> parseScreenshots(const std::vector<std::string>& options) {
     std::map<std::string, std::string> out;
     for (const std::string& option : options) {
-        const auto equals = option.find('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == option.size())
+        const auto wanted = nameAndValue(option);
+        if (!wanted)
             return fail("--screenshot", fmt::format("'{}' was given; expected STATE=FILE.png", option));
-        const std::string state = option.substr(0, equals);
-        out[state == "listening" ? "watching" : state] = option.substr(equals + 1);  // its earlier name
+        const auto& [state, file] = *wanted;
+        out[state == "listening" ? "watching" : state] = file;  // its earlier name
     }
     return out;
 }

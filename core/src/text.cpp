@@ -78,6 +78,12 @@ bool plainEight(const char* text) {
 
 }  // namespace
 
+std::optional<std::pair<std::string, std::string>> nameAndValue(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size()) return std::nullopt;
+    return std::pair(std::string(text.substr(0, equals)), std::string(text.substr(equals + 1)));
+}
+
 std::optional<std::size_t> firstUnstorable(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
         if (text.size() - at >= 8 && plainEight(text.data() + at)) {

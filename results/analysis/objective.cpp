@@ -4,18 +4,15 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/files.hpp"
 #include "results/analysis/analysis_steps.hpp"
 #include "results/statistics/descriptive.hpp"
+#include "results/tables/written_json.hpp"
 
 namespace deixis::results {
 
 namespace {
-
-using Json = nlohmann::json;
 
 using NumberPairs = std::vector<std::pair<double, double>>;  ///< Equation 2 and mean answers
 
@@ -31,14 +28,8 @@ SpearmanTest rankTest(const NumberPairs& pairs) {
 }  // namespace
 
 Result<ObjectiveAccuracy> readObjectiveAccuracy(const std::filesystem::path& file) {
-    const auto text = readFile(file);
-    if (!text) return tl::unexpected(text.error());
-    const Json json = Json::parse(*text, nullptr, false);
-    const std::string expected = "Expected the JSON that 'deixis evaluate ... --json FILE' writes";
-    if (!json.is_object() || json.value("format", Json()) != "deixis-evaluation")
-        return fail(file.string(), "is no objective evaluation", expected);
     ObjectiveAccuracy out{file.string()};
-    try {
+    const auto read = readWritten(file, writtenEvaluation(), [&](const Json& json) -> Result<void> {
         for (const Json& system : json.at("systems"))
             if (const Json& mean = system.at("accuracy").at("mean"); !mean.is_null())
                 out.systems[system.at("system")] = mean;
@@ -54,9 +45,9 @@ Result<ObjectiveAccuracy> readObjectiveAccuracy(const std::filesystem::path& fil
             for (const auto& [system, accuracy] : target["accuracy"].items())
                 out.targets[system][id] = accuracy;
         }
-    } catch (const Json::exception& problem) {
-        return fail(file.string(), fmt::format("is damaged: {}", problem.what()), expected);
-    }
+        return {};
+    });
+    if (!read) return tl::unexpected(read.error());
     return out;
 }
 

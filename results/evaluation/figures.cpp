@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "results/page/figure_boxes.hpp"
+#include "results/page/accuracy_boxes.hpp"
 #include "results/page/figure_differences.hpp"
 #include "results/statistics/descriptive.hpp"
 
@@ -17,39 +17,14 @@ namespace deixis::results {
 
 namespace {
 
-constexpr std::size_t max_box_points = 100;
 constexpr std::size_t max_difference_points = 100;
 constexpr std::size_t max_scatter_points = 500;
-constexpr double highest_accuracy = 0.64;
 constexpr double pairs_alpha = 0.05;
 
-/// Equation 2 of an angle.
-double rewardOf(double degrees) {
-    return (std::exp(1.0 - degrees / 180.0) - 1.0) / std::exp(1.0);
-}
-
-/// The least accuracy of any clip, to the 0.05 below: where the accuracies' scales begin.
-double minAccuracy(const Evaluation& evaluation) {
-    double min = 0.55;
-    for (const auto& system : evaluation.systems)
-        for (const double reward : system.rewards) min = std::min(min, reward);
-    return std::max(0.0, std::floor(min / 0.05) * 0.05);
-}
-
-/// The angles that the accuracies beside a plot mean, as many as have room; 0 is the ceiling.
-std::vector<BoxPlot::Level> anglesBeside(double low, double high) {
-    const double min_gap = 0.05 * (high - low);
-    std::vector<BoxPlot::Level> levels;
-    for (const double degrees : {0.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0}) {
-        const double at = rewardOf(degrees);
-        if (at < low || (!levels.empty() && levels.back().value - at < min_gap)) continue;
-        levels.push_back({at, fmt::format("{:g}\u00b0", degrees), degrees == 0.0});
-    }
-    return levels;
-}
-
-std::string accuracyText(double value) {
-    return fixedText(value, 3);
+std::vector<BoxPlot::Box> boxesOf(const Evaluation& evaluation) {
+    std::vector<BoxPlot::Box> out;
+    for (const auto& system : evaluation.systems) out.push_back({system.system, system.rewards});
+    return out;
 }
 
 FigureJson dashedLine(const char* axis, double at) {
@@ -61,20 +36,9 @@ FigureJson dashedLine(const char* axis, double at) {
 }  // namespace
 
 Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
-    BoxPlot plot;
-    bool thinned = false;
-    for (const auto& system : evaluation.systems) {
-        plot.boxes.push_back({system.system, system.rewards});
-        thinned = thinned || system.rewards.size() > max_box_points;
-    }
-    plot.low = minAccuracy(evaluation);
-    plot.high = highest_accuracy;
-    plot.axis = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}, {"tickCount", 8}};
-    plot.height_px = 340.0;
-    plot.text = accuracyText;
-    plot.nothing = "no accuracy";
-    plot.levels = anglesBeside(plot.low, plot.high);
-    plot.max_points = max_box_points;
+    const BoxPlot plot = accuracyBoxPlot(boxesOf(evaluation));
+    const bool thinned = std::ranges::any_of(
+        plot.boxes, [&](const BoxPlot::Box& box) { return box.values.size() > plot.max_points; });
     return {"accuracy",
             figures.next() +
                 " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
@@ -83,7 +47,7 @@ Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
                 "forearm and target; dashed: the ceiling." +
                 (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the "
                                        "smallest to the largest; everything else uses all clips.",
-                                       max_box_points)
+                                       plot.max_points)
                          : std::string()),
             fmt::format("Box plots of the clips' accuracy by system; medians: {}.", mediansText(plot)),
             boxPlotSpec(plot), evaluation.systems.size() > 4};
@@ -313,7 +277,8 @@ Figure densityScatter(const Evaluation& evaluation, std::size_t index, Numbering
                  {"labelFlush", false},
                  {"labelPadding", 10}};
     FigureJson y = quantity("y");
-    y["scale"] = {{"domain", {minAccuracy(evaluation), highest_accuracy}}, {"nice", false}, {"zero", false}};
+    const BoxPlot boxes = accuracyBoxPlot(boxesOf(evaluation));
+    y["scale"] = {{"domain", {boxes.low, boxes.high}}, {"nice", false}, {"zero", false}};
     y["axis"] = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}, {"tickCount", 6}};
     const FigureJson at{{"x", x}, {"y", y}, {"tooltip", {{"field", "tip"}}}};
     FigureJson layers = FigureJson::array();

@@ -45,7 +45,7 @@ std::string percent(double value) {
     return fixedText(100.0 * value, 1) + " %";
 }
 
-/// Of those systems that the paper has a value of; with both, only those that ours has, too.
+/// Of those systems that the paper has a value of.
 Values paperValues(const std::function<std::optional<double>(const PaperSystem&)>& read) {
     Values out;
     for (const PaperSystem& one : paper_systems)
@@ -118,8 +118,8 @@ class Claims {
              fmt::format("moglow {}, others at most {}", two(rhos["moglow"]), two(others)),
              verdictOf(rhos["moglow"] >= strong_rho && others <= weak_rho),
              "Ours are spread evenly over a half-cylinder. Far from all of them is near the body, where "
-             "nobody "
-             "has pointed: any system is worse there, and any system's correlation is a part of that."});
+             "nobody has pointed: any system is worse there, and any system's correlation is a part of "
+             "that."});
     }
 
     void clusters(const GridFigures& grid, const std::map<std::string, const GridFigures::System*>& systems) {
@@ -132,9 +132,8 @@ class Claims {
             outliers[one] = lowOutliers(found->second->accuracies);
         }
         const std::string why =
-            "Each policy of eight has a tenth of the demonstrations to learn from, and as much time as the "
-            "one "
-            "policy of one cluster.";
+            "Each policy of eight has an eighth of the demonstrations to learn from, and as much time as the "
+            "one policy of one cluster.";
         add({"3.2", "Eight clusters are slightly more accurate than one or three.",
              "no numbers but .62 of eight", grid.grid, order(means, three),
              verdictOf(means["amp-pfnn-8"] > means["amp-pfnn-1"] &&
@@ -152,8 +151,7 @@ class Claims {
     void perceptual(const StudyFigures& study) {
         const std::string reader =
             "Simulated participants answer, who read by assumption: the spread of the observers is larger "
-            "than "
-            "what systems differ by. The paper's answers are people's.";
+            "than what systems differ by. The paper's answers are people's.";
         const auto ours = [&](const char* measure) {
             Values out;
             for (const StudyFigures::Score& one : study.scores)

@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "paper_figures.hpp"
-#include "results/page/figure_boxes.hpp"
+#include "results/page/accuracy_boxes.hpp"
 
 namespace deixis::results {
 
 namespace {
-
-constexpr std::size_t max_box_points = 100;
-constexpr double highest_accuracy = 0.64;
 
 /// What stands for the paper in both figures.
 FigureJson paperMark() {
@@ -28,31 +24,23 @@ FigureJson xyEncoding() {
 }  // namespace
 
 Figure accuracyBesidePaper(const GridFigures& grid, const std::string& name, Numbering& figures) {
-    BoxPlot plot;
-    double low = 0.5;
+    std::vector<BoxPlot::Box> boxes;
     FigureJson paper = FigureJson::array();
     for (const GridFigures::System& one : grid.systems) {
-        for (const double value : one.accuracies) low = std::min(low, value);
         if (const PaperSystem* found = paperSystem(one.system); found != nullptr && found->equation_2)
             paper.push_back(
-                {{"x", plot.boxes.size()},
+                {{"x", boxes.size()},
                  {"y", *found->equation_2},
                  {"tip", fmt::format("{} in the paper: mean {:.2f}", found->name, *found->equation_2)}});
-        plot.boxes.push_back({one.system, one.accuracies});
+        boxes.push_back({one.system, one.accuracies});
     }
-    plot.low = std::max(0.0, std::floor(low / 0.05) * 0.05);
-    plot.high = highest_accuracy;
-    plot.axis = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}, {"tickCount", 8}};
-    plot.height_px = 340.0;
-    plot.text = [](double value) { return fixedText(value, 3); };
-    plot.nothing = "no accuracy";
-    plot.max_points = max_box_points;
+    const BoxPlot plot = accuracyBoxPlot(std::move(boxes));
     FigureJson spec = boxPlotSpec(plot);
     spec["layer"].push_back(layerOf(std::move(paper), paperMark(), xyEncoding()));
     return {name,
             figures.next() +
                 fmt::format(" Accuracy at {} points, {} (the paper&#8217;s Figure&#160;9). Bars: the means "
-                            "that the paper prints. Diamonds: our means.",
+                            "that the paper prints. Diamonds: our means. Right: the same as angle.",
                             grid.points, escapeHtml(grid.grid)),
             "Accuracy by system. Medians: " + mediansText(plot), std::move(spec), true};
 }
@@ -160,14 +148,14 @@ Figure accuracyAndImitation(const ReproductionInput& input, Numbering& figures) 
     layers.push_back(layerOf(std::move(points),
                              {{"type", "text"}, {"dy", -10}, {"fontSize", 11}, {"color", ink_colour}},
                              std::move(named)));
-    return {"imitation",
-            figures.next() +
-                fmt::format(" Accuracy on the {} against how far the arm is from where the demonstrations "
-                            "have it, at held-out targets. The demonstrations&#8217; forearms do not point "
-                            "at their targets, so that one costs the other.",
-                            escapeHtml(grid.grid)),
-            label.empty() ? "Nothing." : label.substr(1),
-            {{"height", 340}, {"layer", std::move(layers)}}};
+    return {
+        "imitation",
+        figures.next() + fmt::format(" Accuracy on the {} against how far the arm is from where the "
+                                     "demonstrations have it, at held-out targets. The demonstrations&#8217; "
+                                     "forearms do not point at their targets, so that one costs the other.",
+                                     escapeHtml(grid.grid)),
+        label.empty() ? "Nothing." : label.substr(1),
+        {{"height", 340}, {"layer", std::move(layers)}}};
 }
 
 }  // namespace deixis::results

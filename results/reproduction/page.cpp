@@ -2,9 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <set>
 
 #include "claims.hpp"
 #include "figures.hpp"
@@ -26,8 +23,7 @@ std::string lead(const ReproductionInput& input, const std::vector<Claim>& claim
         std::ranges::count_if(claims, [](const Claim& one) { return one.verdict == Verdict::agrees; });
     std::string out = fmt::format(
         "<p class=\"lead\">Of the paper&#8217;s claims, looked at {} times (each on every grid and by every "
-        "kind of "
-        "participants), {} came out here, too.</p>",
+        "kind of participants), {} came out here, too.</p>",
         claims.size(), agree);
     std::string synthetic =
         "The demonstrations are synthetic, so all systems learned from formulas, not from people";
@@ -37,8 +33,7 @@ std::string lead(const ReproductionInput& input, const std::vector<Claim>& claim
             "about people";
     return out + "<p class=\"synthetic\"><b>Synthetic:</b> " + synthetic +
            ". No number of ours stands for one of the paper&#8217;s; what can be compared is what follows "
-           "from "
-           "its methods.</p>";
+           "from its methods.</p>";
 }
 
 /// Each claim once, and under it what came out, by each grid and kind of participants.
@@ -85,10 +80,8 @@ std::string objectiveSection(const ReproductionInput& input, Numbering& figures,
     using Row = GridFigures::System;
     std::string out =
         "\n<h2>Objective evaluation</h2>\n<p class=\"small intro\">Equation&#160;2 of each system&#8217;s "
-        "clips at "
-        "test points that it was not trained on (the paper&#8217;s Figure&#160;9 and Table&#160;2). The "
-        "paper calls "
-        "its grid uniform and also spherical; both are here.</p>";
+        "clips at test points that it was not trained on (the paper&#8217;s Figure&#160;9 and Table&#160;2). "
+        "The paper calls its grid uniform and also spherical; both are here.</p>";
     std::string drawn, written;
     for (const GridFigures& grid : input.grids) {
         drawn += figureHtml(
@@ -132,16 +125,22 @@ std::string objectiveSection(const ReproductionInput& input, Numbering& figures,
     return out + figuresPlaced(drawn) + written;
 }
 
-/// A row for each system, a column for each kind of participants.
+/// Behind the others, a column for each kind of participants.
+void addKinds(Table& table, const ReproductionInput& input, ColumnKind kind) {
+    for (const StudyFigures& study : input.studies) {
+        Column& column = table.columns.emplace_back(study.participants_kind, kind);
+        column.label = study.participants_kind;
+        column.format = Format::score;
+        column.right = kind == ColumnKind::text;
+    }
+}
+
+/// A row for each system.
 Table scoresTable(const ReproductionInput& input, const std::string& measure) {
     Table table{measure, units::means, "", {{"system", ColumnKind::text}, {"paper", ColumnKind::number}}};
     table.column("paper").label = "paper";
     table.column("paper").format = Format::score;
-    for (const StudyFigures& study : input.studies) {
-        Column& column = table.columns.emplace_back(study.participants_kind, ColumnKind::number);
-        column.label = study.participants_kind;
-        column.format = Format::score;
-    }
+    addKinds(table, input, ColumnKind::number);
     for (const PaperSystem& paper : paper_systems) {
         const auto value = measure == "accuracy" ? paper.accuracy : paper.naturalness;
         if (!value) continue;
@@ -163,11 +162,7 @@ Table layoutsTable(const ReproductionInput& input) {
                 {{"system", ColumnKind::text}, {"layout", ColumnKind::text}, {"paper", ColumnKind::number}}};
     table.column("layout").label = "layout";
     table.column("paper").label = "paper";
-    for (const StudyFigures& study : input.studies) {
-        Column& column = table.columns.emplace_back(study.participants_kind, ColumnKind::text);
-        column.label = study.participants_kind;
-        column.right = true;
-    }
+    addKinds(table, input, ColumnKind::text);
     for (const PaperSystem& paper : paper_systems)
         for (const auto& [layout, value] :
              {std::pair{"across", paper.across}, std::pair{"side-by-side", paper.side_by_side}}) {
@@ -205,13 +200,12 @@ std::string ceilingHtml(const CeilingFigures& ceiling, Numbering& tables) {
         "Ceilings: shares of games in which the target is what is read, by observers who make no error.",
         tables);
     if (ceiling.nearest_target_share)
-        out += noteHtml(fmt::format(
-            "GT-nn can reach {} % at best, whatever its arm is read by: so often the target is the ball "
-            "nearest to "
-            "the demonstration\u2019s own target, seen from between the pointer\u2019s eyes. The "
-            "paper\u2019s "
-            "participants got 85.6 % of its GT-nn right: its demonstrations were nearer to the test targets.",
-            fixedText(100.0 * *ceiling.nearest_target_share, 1)));
+        out += noteHtml(
+            fmt::format("GT-nn can reach {} % at best, whatever its arm is read by: so often the target is "
+                        "the ball nearest to the demonstration\u2019s own target, seen from between the "
+                        "pointer\u2019s eyes. The paper\u2019s participants got 85.6 % of its GT-nn right: "
+                        "its demonstrations were nearer to the test targets.",
+                        fixedText(100.0 * *ceiling.nearest_target_share, 1)));
     return out;
 }
 
@@ -232,10 +226,8 @@ std::string studySection(const ReproductionInput& input, Numbering& figures, Num
     }
     std::string out = fmt::format(
         "\n<h2>The study</h2>\n<p class=\"small intro\">{} participants each{}. The same clips were seen by "
-        "all; the "
-        "kinds differ in how they read an arm. That alone moves a system&#8217;s share of right choices by "
-        "{} to {} "
-        "percentage points (the paper&#8217;s Figure&#160;7 and Table&#160;1).</p>",
+        "all; the kinds differ in how they read an arm. That alone moves a system&#8217;s share of right "
+        "choices by {} to {} percentage points (the paper&#8217;s Figure&#160;7 and Table&#160;1).</p>",
         input.studies.front().participants, anySimulated(input) ? ", simulated" : "",
         fixedText(100.0 * least, 0), fixedText(100.0 * most, 0));
     out += figuresPlaced(figureHtml(studyBesidePaper(input, "accuracy", figures)) +
@@ -259,24 +251,22 @@ std::string demonstrationsSection(const ReproductionInput& input, Numbering& fig
                "Figure&#160;1.</figcaption></figure>";
     if (compared.empty()) return out;
     using Row = HandsCompared;
-    return out +
-           tableHtml(
-               tableOf<Row>("hands", units::clips, "",
-                            {{"measure", &Row::measure},
-                             {"n_left", &Row::n_left, {.label = "left"}},
-                             {"n_right", &Row::n_right, {.label = "right"}},
-                             {"median_left",
-                              &Row::median_left,
-                              {.label = "median, left", .format = Format::three_decimals}},
-                             {"median_right",
-                              &Row::median_right,
-                              {.label = "median, right", .format = Format::three_decimals}},
-                             {"p", &Row::p},
-                             {"p_holm", &Row::p_holm}},
-                            compared),
-               "Demonstrations by hand, of which the paper has 25 by the left and 27 by the right; exact "
-               "rank-sum tests, two-sided, and Holm\u2019s correction over both.",
-               tables);
+    return out + tableHtml(tableOf<Row>("hands", units::clips, "",
+                                        {{"measure", &Row::measure},
+                                         {"n_left", &Row::n_left, {.label = "left"}},
+                                         {"n_right", &Row::n_right, {.label = "right"}},
+                                         {"median_left",
+                                          &Row::median_left,
+                                          {.label = "median, left", .format = Format::three_decimals}},
+                                         {"median_right",
+                                          &Row::median_right,
+                                          {.label = "median, right", .format = Format::three_decimals}},
+                                         {"p", &Row::p},
+                                         {"p_holm", &Row::p_holm}},
+                                        compared),
+                           "Demonstrations by hand, of which the paper has 25 by the left and 27 by the "
+                           "right; exact rank-sum tests, two-sided, and Holm\u2019s correction over both.",
+                           tables);
 }
 
 std::string trainedSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
@@ -302,11 +292,9 @@ std::string trainedSection(const ReproductionInput& input, Numbering& figures, N
                              {"trained_by", &Row::trained_by, {.label = "trained by"}}},
                             input.trained),
                "What each system has learned, as its file says: how many numbers, what a policy was rewarded "
-               "for (Eq. "
-               "2 of which line), and of held-out targets that reward, the hand\u2019s jerk over the "
-               "demonstrations\u2019, the share of clips that end at rest, and how far elbow and wrist are "
-               "from the "
-               "demonstration\u2019s. The paper gives no sizes.",
+               "for (Eq. 2 of which line), and of held-out targets that reward, the hand\u2019s jerk over "
+               "the demonstrations\u2019, the share of clips that end at rest, and how far elbow and wrist "
+               "are from the demonstration\u2019s. The paper gives no sizes.",
                tables, dense_table);
 }
 

@@ -37,6 +37,12 @@ std::string encoded(unsigned c) {
 }  // namespace
 
 TEST_SUITE("core/text") {
+    TEST_CASE("A name and its value are parted at the first sign of equality, and neither is empty") {
+        CHECK(nameAndValue("a=b") == std::pair<std::string, std::string>("a", "b"));
+        CHECK(nameAndValue("two words=b=c") == std::pair<std::string, std::string>("two words", "b=c"));
+        for (const char* none : {"", "=", "a", "a=", "=b"}) CHECK_FALSE(nameAndValue(none).has_value());
+    }
+
     TEST_CASE("Every character but NUL and the surrogates can be kept, wherever it stands") {
         for (unsigned c = 1; c <= 0x10FFFF; ++c) {
             const bool surrogate = c >= 0xD800 && c < 0xE000;

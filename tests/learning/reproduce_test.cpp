@@ -22,9 +22,9 @@ TEST_SUITE("learning/reproduce") {
         REQUIRE_MESSAGE(made.status == 0, made.err);
         const std::string page = slurp(fs::path(folder) / "reproduction.html");
         for (const char* part :
-             {"What agrees and what does not", "Objective evaluation", "The study", "Demonstrations", "Sizes",
-              "Systems in order of Equation 2.", "box grid", "spherical grid", "two-cue", "arm-finger",
-              "eye-fingertip", "all participants are simulated", "<svg", "amp-no-runtime",
+             {"What agrees and what does not", "Objective evaluation", "The study", "Demonstrations",
+              "What was trained", "Systems in order of Equation 2.", "box grid", "spherical grid", "two-cue",
+              "arm-finger", "eye-fingertip", "all participants are simulated", "<svg", "amp-no-runtime",
               "peak speed of the hand"})
             CHECK_MESSAGE(contains(page, part), part);
         // The study shows the clips that were evaluated.

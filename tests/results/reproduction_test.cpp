@@ -2,12 +2,15 @@
 #include "results/reproduction/reproduction.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "page_text.hpp"
+#include "paths.hpp"
 #include "specifications.hpp"
 #include "text.hpp"
 #include "xml.hpp"
@@ -24,7 +27,6 @@ GridFigures::System measured(const char* system, double mean, double rho,
                              std::vector<double> accuracies = {}) {
     GridFigures::System out;
     out.system = system;
-    out.synthetic = true;
     out.mean = mean;
     out.density_rho = rho;
     out.accuracies = std::move(accuracies);
@@ -60,7 +62,7 @@ StudyFigures peopleAsInThePaper() {
     for (const char* measure : {"accuracy", "naturalness"})
         for (std::size_t a = 0; a < systems.size(); ++a)
             for (std::size_t b = a + 1; b < systems.size(); ++b)
-                out.pairs.push_back({measure, systems[b], systems[a], 0.1, 0.001, true});
+                out.pairs.push_back({measure, systems[b], systems[a], true});
     out.pairs[1].significant = false;  // amp-base and gt-nn in accuracy
     out.layout_tests = 4;
     return out;
@@ -181,13 +183,35 @@ TEST_SUITE("results/reproduction") {
         CHECK(contains(pageText(page), "amp-pfnn-8|400000|800000|forearm|0.600|1.10|99.0"));
     }
 
+    TEST_CASE("the paper's means are those that power assumes") {
+        ReproductionInput input;
+        input.studies = {peopleAsInThePaper()};
+        const std::string page = textOf(input);
+        std::istringstream effects(
+            deixis::readFile(deixis::tests::sourceDir() / "assets/data/effects/pointing2023.toml").value());
+        std::string line, section;
+        int means = 0;
+        while (std::getline(effects, line)) {
+            if (line.starts_with('[')) section = line.substr(0, line.find(']'));
+            const std::size_t equals = line.find(" = ");
+            if (!section.ends_with(".systems") || equals == std::string::npos) continue;
+            const double mean = std::stod(line.substr(equals + 3));
+            const std::string cell = section == "[accuracy.systems"
+                                         ? fmt::format("{:.1f}\u00a0%", 100.0 * mean)
+                                         : fmt::format("{:.2f}", mean);
+            CHECK_MESSAGE(contains(page, line.substr(0, equals) + "|" + cell + "|"), line);
+            ++means;
+        }
+        CHECK(means == 8);
+    }
+
     TEST_CASE("files of another kind are refused by name") {
         const fixtures::Folder folder;
         const auto file = folder / "some.json";
         REQUIRE(writeFile(file, R"({"format": "something"})"));
         const auto grid = readGridFigures("g", file);
         REQUIRE_FALSE(grid);
-        CHECK(contains(grid.error().text(), "some.json: is no such JSON"));
+        CHECK(contains(grid.error().text(), "some.json: is no objective evaluation"));
         CHECK(contains(grid.error().text(), "deixis evaluate"));
         const auto study = readStudyFigures("s", file);
         REQUIRE_FALSE(study);

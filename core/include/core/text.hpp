@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace deixis {
 
@@ -30,6 +31,9 @@ namespace deixis {
 
 /// Without the byte order mark of UTF-8, where one stands first.
 [[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
+
+/// "NAME=VALUE" at its first "=", neither part empty; else none.
+[[nodiscard]] std::optional<std::pair<std::string, std::string>> nameAndValue(std::string_view text);
 
 /// Where the first byte stands that cannot be kept everywhere: a NUL, or one that is no part of a character
 /// of UTF-8 (RFC 3629). PostgreSQL takes neither. None: all of the text can be kept.

@@ -16,7 +16,6 @@ namespace deixis::results {
 struct GridFigures {
     struct System {
         std::string system;
-        bool synthetic = false;
         int missing = 0;  ///< clips without accuracy
         std::optional<double> mean{}, sd{}, median{}, error_deg{};
         std::optional<double> eye_error_deg{};  ///< of the line from the eyes through the fingertip
@@ -43,8 +42,6 @@ struct StudyFigures {
     };
     struct Pair {
         std::string measure, a, b;
-        double mean_difference = 0.0;
-        std::optional<double> p_holm{};
         bool significant = false;
     };
     std::string participants_kind;  ///< as it was named: of simulated participants, how they read an arm
