@@ -55,15 +55,14 @@ Result<results::TrainedSystem> readTrained(const fs::path& file) {
         const auto found = weights->metrics.find(name);
         return found == weights->metrics.end() ? std::nullopt : std::optional(found->second);
     };
-    results::TrainedSystem out{
-        .system = file.stem().string(),
-        .bytes = static_cast<long long>(bytes->size()),
-        .rewarded = weights->text("task").value_or(""),
-        .trained_by = fmt::format("{} ({})", weights->program_version, weights->commit.substr(0, 12)),
-        .reward = metric("validation_reward"),
-        .jerk_ratio = metric("validation_jerk_ratio"),
-        .at_rest = metric("validation_at_rest"),
-        .arm_error_m = metric("validation_arm_error_m")};
+    results::TrainedSystem out{.system = file.stem().string(),
+                               .bytes = static_cast<long long>(bytes->size()),
+                               .rewarded = weights->text("task").value_or(""),
+                               .trained_by = weights->program_version,
+                               .reward = metric("validation_reward"),
+                               .jerk_ratio = metric("validation_jerk_ratio"),
+                               .at_rest = metric("validation_at_rest"),
+                               .arm_error_m = metric("validation_arm_error_m")};
     for (const auto& array : weights->arrays) out.numbers += static_cast<long long>(array.values.size());
     return out;
 }

@@ -131,27 +131,29 @@ class Claims {
             means[one] = *found->second->mean;
             outliers[one] = lowOutliers(found->second->accuracies);
         }
-        const std::string why =
-            "Each policy of eight has an eighth of the demonstrations to learn from, and as much time as the "
-            "one policy of one cluster.";
         add({"3.2", "Eight clusters are slightly more accurate than one or three.",
              "no numbers but .62 of eight", grid.grid, order(means, three),
              verdictOf(means["amp-pfnn-8"] > means["amp-pfnn-1"] &&
                        means["amp-pfnn-8"] > means["amp-pfnn-3"]),
-             why});
+             "Each policy of eight has an eighth of the demonstrations to learn from, and as much time as "
+             "the one policy of one cluster."});
         add({"3.2", "Eight clusters have fewer outliers than one or three.", "a box plot without numbers",
              grid.grid,
              fmt::format("1: {}, 3: {}, 8: {} of {} points", outliers["amp-pfnn-1"], outliers["amp-pfnn-3"],
                          outliers["amp-pfnn-8"], grid.points),
              verdictOf(outliers["amp-pfnn-8"] < outliers["amp-pfnn-1"] &&
                        outliers["amp-pfnn-8"] < outliers["amp-pfnn-3"]),
-             why});
+             "What is an outlier depends on how wide the box is: the more alike a system is at most points, "
+             "the more of the others stand out."});
     }
 
     void perceptual(const StudyFigures& study) {
         const std::string reader =
-            "Simulated participants answer, who read by assumption: the spread of the observers is larger "
-            "than what systems differ by. The paper's answers are people's.";
+            "Simulated participants answer, who read an arm by assumption; which lines they read moves right "
+            "choices as much as the systems do. The paper's answers are people's.";
+        const std::string rater =
+            "Simulated ratings follow speed profile, participation of the body and steadiness; what an eye "
+            "would see in a movement they do not know.";
         const auto ours = [&](const char* measure) {
             Values out;
             for (const StudyFigures::Score& one : study.scores)
@@ -166,9 +168,9 @@ class Claims {
              order(onlyOf(accuracy, our_accuracy), percent), sameOrder(accuracy, our_accuracy), reader});
         add({"3.1", "Systems in order of naturalness.", order(naturalness, two), kind,
              order(onlyOf(naturalness, our_naturalness), two), sameOrder(naturalness, our_naturalness),
-             "Simulated ratings follow speed profile, participation of the body and steadiness; what an eye "
-             "would see in a movement they do not know."});
-        for (const char* measure : {"accuracy", "naturalness"}) pairs(study, measure, reader);
+             rater});
+        pairs(study, "accuracy", reader);
+        pairs(study, "naturalness", rater);
         if (study.layout_tests > 0)
             add({"3.1, Table 1", "No significant difference between across and side by side, for any system.",
                  fmt::format("0 of 4 at {:g}", paper_alpha), kind,

@@ -11,10 +11,10 @@ namespace deixis::results {
 
 namespace {
 
-/// What stands for the paper in both figures.
+/// What stands for the paper in both figures: no line, which is a box plot's median.
 FigureJson paperMark() {
-    return {{"type", "point"},     {"shape", "stroke"}, {"size", 700}, {"filled", false},
-            {"color", ink_colour}, {"strokeWidth", 3},  {"opacity", 1}};
+    return {{"type", "point"}, {"shape", "cross"},    {"size", 130},
+            {"filled", true},  {"color", ink_colour}, {"opacity", 1}};
 }
 
 FigureJson xyEncoding() {
@@ -37,12 +37,13 @@ Figure accuracyBesidePaper(const GridFigures& grid, const std::string& name, Num
     const BoxPlot plot = accuracyBoxPlot(std::move(boxes));
     FigureJson spec = boxPlotSpec(plot);
     spec["layer"].push_back(layerOf(std::move(paper), paperMark(), xyEncoding()));
-    return {name,
-            figures.next() +
-                fmt::format(" Accuracy at {} points, {} (the paper&#8217;s Figure&#160;9). Bars: the means "
-                            "that the paper prints. Diamonds: our means. Right: the same as angle.",
-                            grid.points, escapeHtml(grid.grid)),
-            "Accuracy by system. Medians: " + mediansText(plot), std::move(spec), true};
+    return {
+        name,
+        figures.next() +
+            fmt::format(" Accuracy at {} points, {} (the paper&#8217;s Figure&#160;9). Crosses: the means "
+                        "that the paper prints. Diamonds: our means. Right: the same as angle.",
+                        grid.points, escapeHtml(grid.grid)),
+        "Accuracy by system. Medians: " + mediansText(plot), std::move(spec), true};
 }
 
 Figure studyBesidePaper(const ReproductionInput& input, const std::string& measure, Numbering& figures) {
@@ -112,7 +113,7 @@ Figure studyBesidePaper(const ReproductionInput& input, const std::string& measu
             figures.next() +
                 (accuracy ? " Right choices (the paper&#8217;s Figure&#160;7)."
                           : " Naturalness (the paper&#8217;s Figure&#160;7).") +
-                " Bars: the paper&#8217;s means. Points: ours, with their intervals.",
+                " Crosses: the paper&#8217;s means. Points: ours, with their intervals.",
             label.empty() ? "Nothing." : label.substr(1),
             {{"height", 300}, {"layer", std::move(layers)}}};
 }
@@ -148,14 +149,14 @@ Figure accuracyAndImitation(const ReproductionInput& input, Numbering& figures) 
     layers.push_back(layerOf(std::move(points),
                              {{"type", "text"}, {"dy", -10}, {"fontSize", 11}, {"color", ink_colour}},
                              std::move(named)));
-    return {
-        "imitation",
-        figures.next() + fmt::format(" Accuracy on the {} against how far the arm is from where the "
-                                     "demonstrations have it, at held-out targets. The demonstrations&#8217; "
-                                     "forearms do not point at their targets, so that one costs the other.",
-                                     escapeHtml(grid.grid)),
-        label.empty() ? "Nothing." : label.substr(1),
-        {{"height", 340}, {"layer", std::move(layers)}}};
+    return {"imitation",
+            figures.next() +
+                fmt::format(
+                    " Accuracy on the {} against how far the arm is from where the demonstrations have it, "
+                    "at held-out targets. Their forearms do not point at these; eye and fingertip do.",
+                    escapeHtml(grid.grid)),
+            label.empty() ? "Nothing." : label.substr(1),
+            {{"height", 340}, {"layer", std::move(layers)}}};
 }
 
 }  // namespace deixis::results

@@ -109,7 +109,7 @@ std::string objectiveSection(const ReproductionInput& input, Numbering& figures,
                   const PaperSystem* paper = paperSystem(one.system);
                   return paper != nullptr ? paper->density_rho : std::nullopt;
               },
-              {.label = "\u03c1 in the paper", .format = Format::three_decimals}},
+              {.label = "\u03c1, paper", .format = Format::three_decimals}},
              {"rho", &Row::density_rho, {.label = "\u03c1, ours", .format = Format::three_decimals}},
              {"p", &Row::density_p}},
             grid.systems);
@@ -200,12 +200,12 @@ std::string ceilingHtml(const CeilingFigures& ceiling, Numbering& tables) {
         "Ceilings: shares of games in which the target is what is read, by observers who make no error.",
         tables);
     if (ceiling.nearest_target_share)
-        out += noteHtml(
-            fmt::format("GT-nn can reach {} % at best, whatever its arm is read by: so often the target is "
-                        "the ball nearest to the demonstration\u2019s own target, seen from between the "
-                        "pointer\u2019s eyes. The paper\u2019s participants got 85.6 % of its GT-nn right: "
-                        "its demonstrations were nearer to the test targets.",
-                        fixedText(100.0 * *ceiling.nearest_target_share, 1)));
+        out +=
+            noteHtml(fmt::format("Whoever reads the demonstration\u2019s own target, seen from between the "
+                                 "pointer\u2019s eyes, gets {} % of GT-nn right: so often the study\u2019s "
+                                 "target is the ball nearest to it. The paper\u2019s participants got 85.6 "
+                                 "%: its demonstrations were nearer to the test targets than these.",
+                                 fixedText(100.0 * *ceiling.nearest_target_share, 1)));
     return out;
 }
 
@@ -230,8 +230,11 @@ std::string studySection(const ReproductionInput& input, Numbering& figures, Num
         "choices by {} to {} percentage points (the paper&#8217;s Figure&#160;7 and Table&#160;1).</p>",
         input.studies.front().participants, anySimulated(input) ? ", simulated" : "",
         fixedText(100.0 * least, 0), fixedText(100.0 * most, 0));
-    out += figuresPlaced(figureHtml(studyBesidePaper(input, "accuracy", figures)) +
-                         figureHtml(studyBesidePaper(input, "naturalness", figures)));
+    // One after another: the figures count.
+    std::string drawn;
+    for (const char* measure : {"accuracy", "naturalness"})
+        drawn += figureHtml(studyBesidePaper(input, measure, figures));
+    out += figuresPlaced(drawn);
     out += tableHtml(scoresTable(input, "accuracy"), "Right choices, mean over participants.", tables);
     if (input.ceiling) out += ceilingHtml(*input.ceiling, tables);
     out += tableHtml(scoresTable(input, "naturalness"), "Naturalness from 1 to 5, mean over participants.",
@@ -241,12 +244,22 @@ std::string studySection(const ReproductionInput& input, Numbering& figures, Num
                            tables);
 }
 
+/// An SVG picture without the size in which it is drawn alone.
+std::string asWideAsThePage(std::string svg) {
+    const std::size_t width = svg.find(" width=\""), end = svg.find('>');
+    const std::size_t height = svg.find(" height=\"", width);
+    if (width > end || height > end) return svg;
+    const std::size_t after = svg.find('"', height + 9) + 1;
+    return svg.replace(width, after - width, " style=\"width:100%;height:auto\"");
+}
+
 std::string demonstrationsSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
     const auto compared = compareHands(input.demonstrations);
     if (compared.empty() && input.targets_svg.empty()) return "";
     std::string out = "\n<h2>Demonstrations</h2>";
     if (!input.targets_svg.empty())
-        out += "<figure id=\"targets\">" + input.targets_svg + "<figcaption>" + figures.next() +
+        out += "<figure id=\"targets\">" + asWideAsThePage(input.targets_svg) + "<figcaption>" +
+               figures.next() +
                " Targets of the demonstrations (blue) and of the study (red), as in the paper&#8217;s "
                "Figure&#160;1.</figcaption></figure>";
     if (compared.empty()) return out;
@@ -280,7 +293,7 @@ std::string trainedSection(const ReproductionInput& input, Numbering& figures, N
         out += figuresPlaced(figureHtml(accuracyAndImitation(input, figures)), FigurePlace::single);
     return out +
            tableHtml(
-               tableOf<Row>("trained", units::none, "",
+               tableOf<Row>("trained", units::targets, "",
                             {{"system", &Row::system},
                              {"numbers", &Row::numbers, {.label = "numbers"}},
                              {"bytes", &Row::bytes, {.label = "bytes"}},
