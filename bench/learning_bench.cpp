@@ -7,6 +7,7 @@
 #include "inputs.hpp"
 #include "learning/networks/optimising.hpp"
 #include "motion/synthesis/pose_features.hpp"
+#include "physics/figure/mjcf.hpp"
 #include "trainer.hpp"
 
 namespace {
@@ -37,7 +38,7 @@ struct Trained {
     learning::AmpSettings settings;
     std::unique_ptr<physics::Body> body;
     std::vector<learning::ReferenceMotion> references;
-    std::unique_ptr<learning::Ranks> ranks;
+    std::shared_ptr<learning::Ranks> ranks;
     std::unique_ptr<learning::AmpTrainer> trainer;
 };
 

@@ -112,22 +112,34 @@ void addReproductionCommand(Parser cli, Command& chosen) {
     Parser command =
         cli.addCommand("reproduction", "Set results beside those of Deichler et al. (2023): one page");
     describe(command, {.writes = "the page (-o; default: reproduction.html in this folder).",
-                       .example = "scripts/reproduce.sh --quick\ndeixis reproduction --grid "
-                                  "spherical=grid.json --study two-cue=analysis.json -o reproduction.html",
+                       .example = "deixis reproduction --grid spherical=grid.json "
+                                  "--study two-cue=analysis.json -o reproduction.html",
                        .page = "docs/reproduction.md"});
-    command.addOption("--grid", options->grids,
-                      "NAME=FILE: JSON of an objective evaluation (deixis evaluate); may be repeated");
-    command.addOption("--study", options->studies,
-                      "NAME=FILE: JSON of a report on pointing2023 (deixis report), NAME being who answered; "
-                      "may be repeated");
-    command.addOption("--ceiling", options->ceiling,
-                      "JSON of an evaluation of the study's clips (deixis evaluate --study)");
-    command.addOption("--demonstrations", options->demonstrations,
-                      "CSV of the demonstrations' measures (deixis clips measure --csv)");
-    command.addOption("--weights", options->weights,
-                      "Files of trained systems, named like them; may be repeated");
+    command
+        .addOption("--grid", options->grids,
+                   "JSON of an objective evaluation (deixis evaluate), and its name; may be repeated")
+        .oneValueEachTime()
+        .valueName("NAME=FILE");
+    command
+        .addOption("--study", options->studies,
+                   "JSON of a report on pointing2023 (deixis report), and who answered; may be repeated")
+        .oneValueEachTime()
+        .valueName("NAME=FILE");
+    command
+        .addOption("--ceiling", options->ceiling,
+                   "JSON of an evaluation of the study's clips (deixis evaluate --study)")
+        .valueName("FILE");
+    command
+        .addOption("--demonstrations", options->demonstrations,
+                   "CSV of the demonstrations' measures (deixis clips measure --csv)")
+        .valueName("FILE");
+    command.addOption("--weights", options->weights, "A trained system, named like its file; may be repeated")
+        .oneValueEachTime()
+        .valueName("FILE");
     command.addOption("--picture", options->picture, "Picture of the targets (deixis targets --picture)");
-    command.addOption("--page", options->pages, "Page with more, to link to; may be repeated");
+    command.addOption("--page", options->pages, "Page with more, to link to; may be repeated")
+        .oneValueEachTime()
+        .valueName("FILE");
     addOutput(command, options->page, "HTML page to write [reproduction.html]");
     addForce(command, options->force);
     command.callback([options, &chosen] {

@@ -175,7 +175,7 @@ TEST_SUITE("app/install") {
     }
 
     TEST_CASE("bash completes commands, options, choices, studies that ship, and files") {
-        CHECK(offered("re") == Words{"replay", "report"});
+        CHECK(offered("re") == Words{"replay", "report", "reproduction"});
         CHECK(offered("clips re") == Words{"resample", "retarget"});
         CHECK(offered("run --st") == Words{"--station", "--stimuli"});
         CHECK(offered("run --station s") == Words{"simulated"});
