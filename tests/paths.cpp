@@ -1,5 +1,7 @@
 #include "paths.hpp"
 
+#include <cstdlib>
+
 namespace deixis::tests {
 
 std::filesystem::path sourceDir() {
@@ -15,7 +17,8 @@ std::filesystem::path sharedData(const std::string& relative) {
 }
 
 std::string programFile() {
-    return DEIXIS_PROGRAM;
+    const char* other = std::getenv("DEIXIS_TESTED_PROGRAM");
+    return other ? other : DEIXIS_PROGRAM;
 }
 
 bool isSanitized() {
