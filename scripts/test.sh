@@ -55,15 +55,6 @@ run_preset() { build "$1" && run_tests "$1"; }
 # Whole commands that calculate for long, whose code the libraries' own tests run with sanitizers: "all" has a program
 # without them, which takes a fourth of the time.
 long_suites='^app/(fit|locked_study|power|report_observers|report_r|report_studies|simulate|stats_oracles|study_commands)$'
-run_long_tests() {
-    say "whole commands that calculate for long, by the program without graphics"
-    local result=0
-    DEIXIS_TESTED_PROGRAM=$PWD/build/offline/deixis ctest --preset asan -R "$long_suites" -j2 --timeout 1200 \
-        >$logs/long.log 2>&1 || result=1
-    cat $logs/long.log
-    counts+=("long: $(grep -E 'tests passed' $logs/long.log || echo 'no result')")
-    return $result
-}
 check_installed() {
     cmake --install build/release --prefix $logs/installed >/dev/null || return 1
     ! grep -aoE "$PWD/(app|assets|build|core|learning|motion|physics|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
@@ -92,7 +83,7 @@ run_all() {
     trap 'kill $(jobs -p) 2>/dev/null || true' EXIT # where all of this is broken off
     renice -n 19 -p $$ >/dev/null
     run_tests asan -E "$long_suites" || failed "asan"
-    run_long_tests || failed "long"
+    DEIXIS_TESTED_PROGRAM=$PWD/build/offline/deixis run_tests asan -R "$long_suites" || failed "asan: long suites"
     say "compare"
     scripts/compare_builds.sh build/release/deixis build/asan/deixis || failed "compare"
     say "install"
