@@ -191,7 +191,8 @@ Result<bool> PolicyTraining::tryOutNow(ClipMeasures& measures) {
     // What only learned what the demonstrations do is no policy of this training, however well it points.
     const int frozen = common_.training.settings.frozen_iterations;
     const bool first = best_.policy.empty() || (best_.iteration <= frozen && iterations_ > frozen);
-    const bool best = first || tried->score() > best_.measures.score();
+    const bool phase = common_.training.settings.variant.policy_phase;
+    const bool best = first || tried->score(phase) > best_.measures.score(phase);
     if (best) best_ = {std::move(policy), *tried, iterations_};
     if (const auto saved = save(); !saved) return tl::unexpected(saved.error());
     return best;

@@ -23,6 +23,10 @@ std::vector<physics::BodyState> atControls(const physics::Followed& followed) {
 
 }  // namespace
 
+bool ReferenceMotion::restIsOver(std::size_t control) const {
+    return static_cast<double>(control) * physics::control_s > durations_s[0];
+}
+
 bool ReferenceMotion::holdIsOver(std::size_t control) const {
     return static_cast<double>(control) * physics::control_s >
            durations_s[0] + durations_s[1] + durations_s[2];

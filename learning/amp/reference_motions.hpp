@@ -28,6 +28,7 @@ struct ReferenceMotion {
     [[nodiscard]] double phase(std::size_t control) const {
         return static_cast<double>(control) / static_cast<double>(controls());
     }
+    [[nodiscard]] bool restIsOver(std::size_t control) const;  ///< that before the raise
     [[nodiscard]] bool holdIsOver(std::size_t control) const;
 };
 

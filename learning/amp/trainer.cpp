@@ -113,6 +113,7 @@ void AmpTrainer::setCloned(const physics::Body& body, const std::vector<Referenc
     for (const ReferenceMotion& one : all)
         for (const auto& states : one.seen)
             for (std::size_t i = 0; i < one.controls(); ++i) {
+                if (!phase && (!one.restIsOver(i) || one.holdIsOver(i))) continue;
                 std::vector<float> goal(physics::BodyObserver::goalSize(phase));
                 physics::PolicyGoal asked{one.target_m, one.hand, {}};
                 if (phase) asked.phase = one.phase(i);

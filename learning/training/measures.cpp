@@ -100,8 +100,8 @@ class Sums {
 
 }  // namespace
 
-double ClipMeasures::score() const {
-    return reward - 0.3 * (1.0 - at_rest) - 0.05 * std::max(0.0, jerk_ratio - 1.5);
+double ClipMeasures::score(bool can_know_end) const {
+    return reward - (can_know_end ? 0.3 * (1.0 - at_rest) : 0.0) - 0.05 * std::max(0.0, jerk_ratio - 1.5);
 }
 
 ClipMeasures measureGenerated(const motion::Generator& system,

@@ -175,6 +175,25 @@ TEST_SUITE("learning/amp_training") {
                   .has_value());
     }
 
+    TEST_CASE("a policy that does not know the time learns from demonstrations to raise, and stays up") {
+        const TrainingFolder folder;
+        const auto file = folder.path / "raises.weights";
+        AmpTraining training = smallAmp();
+        training.system = "amp-no-runtime";
+        training.settings.variant.policy_phase = false;
+        training.settings.hidden = {64, 32};
+        training.settings.cloning_updates = 2000;
+        REQUIRE(trained(training, file, [](const TrainingProgress&) { return false; }));
+        const auto system = physics::makeAmp(motion::readWeights(file).value(), motion::referenceHumanoid());
+        REQUIRE(system.has_value());
+        const auto& one = fewDemonstrations().training.front();
+        const auto made = (*system)->generate({"", one.target, 1, {}});
+        const auto hand = static_cast<std::size_t>(
+            motion::mapByVrmNames(made.clip.skeleton)[motion::armBones(made.hand).hand]);
+        const auto world = motion::worldPoses(made.clip);
+        CHECK(world.back()[hand].position.y > world.front()[hand].position.y + 0.2);
+    }
+
     TEST_CASE("clusters in threads, one after another, or each by itself and joined: the same policies") {
         const TrainingFolder folder;
         AmpTraining training = smallAmp(2);

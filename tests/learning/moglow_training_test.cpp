@@ -139,5 +139,6 @@ TEST_SUITE("learning/moglow_training") {
         CHECK(measures.reward < 0.632);
         const ClipMeasures shaken{.reward = 0.5, .at_rest = 0.9, .jerk_ratio = 2.5};
         CHECK(shaken.score() == doctest::Approx(0.5 - 0.03 - 0.05));
+        CHECK(shaken.score(false) == doctest::Approx(0.5 - 0.05));
     }
 }

@@ -17,7 +17,10 @@ namespace deixis::learning {
 /// Which of the paper's changes are made. Its three systems: no run time (neither), base (phase alone),
 /// pfnn (both).
 struct AmpVariant {
-    bool policy_phase = true;  ///< the policy knows the running time (section 2.2.1)
+    /// The policy knows the running time (section 2.2.1). One that does not cannot know when to begin or to
+    /// go back: it learns the raise and the hold alone from the demonstrations before it tries anything out,
+    /// and which is best is said without regard to the rest at the end.
+    bool policy_phase = true;
     /// The discriminator is a phase-functioned network (section 2.2.2): four sets of weights, mixed by the
     /// cubic of Catmull & Rom about the phase, closed to a circle (Holden, Komura & Saito 2017, Eq. 7).
     bool phase_functioned = true;

@@ -68,8 +68,8 @@ struct ClipMeasures {
     /// Mean distance of the pointing elbow and wrist from the demonstration's; only where there are some.
     double arm_error_m = 0.0;
     /// What the weights that are kept are chosen by: reward - 0.3 (1 - at_rest) - 0.05 max(0, jerk_ratio -
-    /// 1.5).
-    [[nodiscard]] double score() const;
+    /// 1.5), without the second where a system cannot know when to go back to rest.
+    [[nodiscard]] double score(bool can_know_end = true) const;
 };
 /// Clips for the demonstrations' own targets.
 [[nodiscard]] ClipMeasures measureGenerated(const motion::Generator& system,
