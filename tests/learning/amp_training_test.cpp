@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "learning/amp/training.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/pointing/phases.hpp"
 #include "physics/policy/amp_system.hpp"
 #include "small_trainings.hpp"
 
@@ -184,7 +185,8 @@ TEST_SUITE("learning/amp_training") {
         training.settings.hidden = {64, 32};
         training.settings.cloning_updates = 2000;
         REQUIRE(trained(training, file, [](const TrainingProgress&) { return false; }));
-        const auto system = physics::makeAmp(motion::readWeights(file).value(), motion::referenceHumanoid());
+        const auto system =
+            physics::makeAmp(motion::readWeights(file, "amp").value(), motion::referenceHumanoid());
         REQUIRE(system.has_value());
         const auto& one = fewDemonstrations().training.front();
         const auto made = (*system)->generate({"", one.target, 1, {}});
