@@ -36,7 +36,17 @@ page_picture() {
     chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size="1280,$2" --virtual-time-budget=20000 \
         --user-data-dir="$scratch/browser" --screenshot="$PWD/docs/images/$3" "file://$1" 2>/dev/null
 }
-if has chromium "report.png, evaluation.png"; then
+if has chromium "systems.png, report.png, evaluation.png"; then
+    "$program" targets pointing2023 2>/dev/null | sed -n '1p;13p' >"$scratch/one.csv" # up to the left
+    echo '<style>body { margin: 8px; font: 18px sans-serif } div { display: flex; align-items: center } p { width: 150px }</style>' \
+        >"$scratch/systems.html"
+    for system in gt-nn moglow amp-no-runtime amp-base amp-pfnn-1 amp-pfnn-3 amp-pfnn-8 gp flow; do
+        "$program" generate "$system" --targets "$scratch/one.csv" -o "$scratch/one-$system" >/dev/null
+        "$program" view "$scratch/one-$system/${system}_T012.bvh" --from front --size 155x155 \
+            --time 0.4 0.8 1.1 1.6 2.2 2.7 3.2 --screenshot "$scratch/$system.png"
+        echo "<div><p>$system</p><img src=$system.png></div>" >>"$scratch/systems.html"
+    done
+    page_picture "$scratch/systems.html" 1430 systems.png
     "$program" simulate pointing2023 --participants 39 -o "$scratch/study.sqlite"
     "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
     page_picture "$scratch/report.html" 1600 report.png
