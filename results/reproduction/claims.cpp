@@ -42,7 +42,7 @@ std::string two(double value) {
     return fixedText(value, 2);
 }
 std::string percent(double value) {
-    return fixedText(100.0 * value, 1) + " %";
+    return fixedText(100.0 * value, 1) + "\u00a0%";
 }
 
 /// Of those systems that the paper has a value of.
