@@ -8,7 +8,22 @@
 
 namespace deixis::learning {
 
+namespace {
+
 using torch::Tensor;
+
+/// Debian's LibTorch is built without libuv, which later versions ask for.
+void goWithoutLibuv(auto& options) {
+    if constexpr (requires { options.useLibUV; }) options.useLibUV = false;
+}
+
+auto notTogether(const RankPlace& place, const char* why) {
+    return fail(
+        fmt::format("rank {} of {} at {}, port {}", place.rank, place.count, place.address, place.port),
+        fmt::format("the ranks of this training have not come together: {}", why));
+}
+
+}  // namespace
 
 struct Ranks::Group {
     c10::intrusive_ptr<c10d::ProcessGroupGloo> gloo;
@@ -28,6 +43,7 @@ Result<std::shared_ptr<Ranks>> Ranks::join(const std::optional<RankPlace>& place
         options.isServer = place->rank == 0;
         options.numWorkers = static_cast<std::size_t>(place->count);
         options.timeout = patience;
+        goWithoutLibuv(options);
         auto store = c10::make_intrusive<c10d::TCPStore>(place->address, options);
         auto gloo_options = c10d::ProcessGroupGloo::Options::create();
         gloo_options->threads = 1;
@@ -37,10 +53,10 @@ Result<std::shared_ptr<Ranks>> Ranks::join(const std::optional<RankPlace>& place
         out->group_ = std::make_unique<Group>();
         out->group_->gloo =
             c10::make_intrusive<c10d::ProcessGroupGloo>(store, place->rank, place->count, gloo_options);
+    } catch (const c10::Error& problem) {
+        return notTogether(*place, problem.what_without_backtrace());
     } catch (const std::exception& problem) {
-        return fail(fmt::format("rank {} of {} at {}, port {}", place->rank, place->count, place->address,
-                                place->port),
-                    fmt::format("the ranks of this training have not come together: {}", problem.what()));
+        return notTogether(*place, problem.what());
     }
     return out;
 }
