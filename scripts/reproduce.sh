@@ -88,8 +88,11 @@ if $train; then
     learn moglow-unmirrored moglow --no-mirror
     learn moglow-half moglow --demonstrations half/manifest.csv
     # Rewarded for something else, and how much the task counts.
-    learn amp-pfnn-8-eye-fingertip amp-pfnn --clusters 8 --reward eye-fingertip
-    learn amp-pfnn-8-observer amp-pfnn --clusters 8 --reward observer
+    for clusters in 1 8; do
+        for reward in eye-fingertip observer; do
+            learn amp-pfnn-$clusters-$reward amp-pfnn --clusters $clusters --reward $reward
+        done
+    done
     for weight in 0 0.25 0.75 0.9; do
         learn amp-pfnn-1-task-$weight amp-pfnn --clusters 1 --set task_weight=$weight \
             --set "style_weight=$(awk "BEGIN { print 1 - $weight }")"
