@@ -54,7 +54,7 @@ count_tests() {
 run_preset() { build "$1" && run_tests "$1"; }
 # Whole commands that calculate for long, whose code the libraries' own tests run with sanitizers: "all" has a program
 # without them, which takes a fourth of the time.
-long_suites='^app/(evaluate|fit|killed_session|locked_study|package|power|report_observers|report_r|report_studies|simulate|stats_oracles|study_commands)$'
+long_suites='^app/(evaluate|fit|locked_study|power|report_observers|report_r|report_studies|simulate|stats_oracles|study_commands)$'
 check_installed() {
     cmake --install build/release --prefix $logs/installed >/dev/null || return 1
     ! grep -aoE "$PWD/(app|assets|build|core|learning|motion|physics|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
