@@ -51,10 +51,8 @@ Result<TrainingOutcome> trainAmp(const TrainingRequest& request, const learning:
     learning::AmpTraining training{.system = request.system};
     const bool phase_functioned = request.system == "amp-pfnn";
     learning::AmpSettings& settings = training.settings;
-    settings.variant = {.policy_phase = request.system != "amp-no-runtime",
-                        .phase_functioned = phase_functioned};
-    // Without the time it cannot know when the hold is over.
-    if (!settings.variant.policy_phase) settings.task_after_hold = 1.0;
+    settings = learning::ampSettings(
+        {.policy_phase = request.system != "amp-no-runtime", .phase_functioned = phase_functioned});
     const auto task = learning::taskFromName(request.reward);
     if (!task) return tl::unexpected(task.error());
     settings.task = *task;

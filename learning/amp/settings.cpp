@@ -86,6 +86,12 @@ Result<AmpTask> taskFromName(std::string_view name) {
     return static_cast<AmpTask>(found - task_names.begin());
 }
 
+AmpSettings ampSettings(const AmpVariant& variant) {
+    AmpSettings out{.variant = variant};
+    if (!variant.policy_phase) out.task_after_hold = 1.0;
+    return out;
+}
+
 std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& settings) {
     std::map<std::string, motion::NetworkSetting> out{
         {"phase_functioned", static_cast<double>(settings.variant.phase_functioned)},

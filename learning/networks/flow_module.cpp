@@ -18,9 +18,6 @@ torch::Tensor placesOf(const torch::Tensor& permutation_matrix) {
 FlowModule::FlowModule(const FlowSizes& sizes) : sizes_(sizes) {
     const int kept = sizes.size / 2;
     const int changed = sizes.size - kept;
-    // Where no gradients are kept, LibTorch 2.6 of Debian 13 has oneDNN run LSTMs, and they come out wrong by
-    // tenths.
-    at::globalContext().setUserEnabledMkldnn(false);
     for (int k = 0; k < sizes.steps; ++k) {
         const auto named = [k](const char* part) { return fmt::format("step{}_{}", k, part); };
         Step step;

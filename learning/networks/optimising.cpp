@@ -9,6 +9,9 @@ namespace deixis::learning {
 
 void setUpTorch(int threads) {
     torch::set_num_threads(threads);
+    // Where no gradients are kept, LibTorch 2.6 of Debian 13 has oneDNN run LSTMs, and they come out wrong by
+    // tenths.
+    at::globalContext().setUserEnabledMkldnn(false);
 #ifdef M_MMAP_THRESHOLD  // the GNU library's
     constexpr int largest_threshold = 32 << 20;
     mallopt(M_MMAP_THRESHOLD, largest_threshold);

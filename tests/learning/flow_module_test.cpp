@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "learning/networks/optimising.hpp"
 #include "motion/networks/flow.hpp"
 
 using namespace deixis;
@@ -11,6 +12,7 @@ namespace {
 
 /// A flow whose couplings do something, as after a training.
 FlowModule anyFlow(const FlowSizes& sizes) {
+    setUpTorch(1);  // as every training does
     torch::manual_seed(5);
     FlowModule flow(sizes);
     torch::NoGradGuard no_gradient;

@@ -103,6 +103,10 @@ struct AmpSettings {
     std::uint64_t seed = 1;
 };
 
+/// Of a variant. A policy that does not know the time cannot know when the hold is over: the task counts in
+/// every frame, as in the paper.
+[[nodiscard]] AmpSettings ampSettings(const AmpVariant& variant);
+
 /// All of them by name, for a file's header.
 [[nodiscard]] std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& settings);
 

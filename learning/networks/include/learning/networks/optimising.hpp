@@ -11,7 +11,7 @@
 namespace deixis::learning {
 
 /// Of this process, before a training. Memory that tensors free stays with it: each page that the system
-/// gives anew costs time, in all a tenth of a training's.
+/// gives anew costs time, in all a tenth of a training's. LSTMs are LibTorch's own, not oneDNN's.
 void setUpTorch(int threads);
 
 /// LibTorch's own generator, which all threads share.
