@@ -39,6 +39,11 @@ void type(const std::string& text) {
     wait(0.6);
 }
 
+// Whether the experimenter's window has the keyboard.
+bool keysAreTheOperators() {
+    return Display::xdotool("getwindowfocus getwindowname").out.find("experimenter") != std::string::npos;
+}
+
 }  // namespace
 
 TEST_SUITE("app/desktop_operator") {
@@ -77,6 +82,7 @@ TEST_SUITE("app/desktop_operator") {
         // With the mouse in the other window the participant cannot answer: so the session is paused.
         const auto toOperator = [] {
             Display::xdotool("key F10");
+            CHECK(eventually(20.0, keysAreTheOperators));
             wait(0.8);
         };
         toOperator();
@@ -122,11 +128,12 @@ TEST_SUITE("app/desktop_operator") {
                       "not move'") == 1);
 
         // Going on brings the participant's window to the front again: keys are the participant's.
+        const int resumed = countIn(database, "select count(*) from events where kind = 'resume'");
         Display::xdotool("key p");
         CHECK(eventually(20.0, [&] {
-            return countIn(database, "select count(*) from events where kind = 'resume'") >= 1;
+            return countIn(database, "select count(*) from events where kind = 'resume'") == resumed + 1;
         }));
-        wait(0.5);
+        CHECK(eventually(20.0, [] { return !keysAreTheOperators(); }));
         const int paused = countIn(database, "select count(*) from events where kind = 'pause'");
         Display::xdotool("key Escape");
         CHECK(eventually(20.0, [&] {
