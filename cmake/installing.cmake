@@ -1,5 +1,8 @@
 # cmake --install BUILD --prefix P. The program finds what ships from its own place, bin/deixis: P may be moved.
 install(TARGETS deixis DESTINATION bin)
+if(DEIXIS_LEARNING)
+    install(TARGETS deixis-train DESTINATION bin)
+endif()
 install(DIRECTORY assets/data/ DESTINATION share/deixis PATTERN *.cpp EXCLUDE PATTERN include EXCLUDE)
 install(FILES ${DEIXIS_SHARE}/avatar.glb DESTINATION share/deixis)
 install(DIRECTORY docs/ DESTINATION share/doc/deixis)

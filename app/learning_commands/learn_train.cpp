@@ -8,16 +8,15 @@
 #include <memory>
 
 #include "app/clips/study_setup.hpp"
+#include "app/learning_commands/trainers.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/progress_line.hpp"
 #include "app/program/written_output.hpp"
-#include "blas_kernels.hpp"
 #include "core/number.hpp"
 #include "demonstrations.hpp"
 #include "learn_commands.hpp"
 #include "motion/learned/gt_nn.hpp"
-#include "trainers.hpp"
 #include "training_curves.hpp"
 
 namespace deixis::app {
@@ -136,7 +135,7 @@ Result<void> runTraining(const LearnTrainArguments& options) {
         requireUsage("--clusters or --bandwidth");
     const bool tells = !request.rank || request.rank->rank == 0;
     if (!canTrain()) return tl::unexpected(train(request, {}, {}, {}).error());
-    restartWithFastBlas();
+    request.provenance = programProvenance();
 
     std::error_code code;
     const fs::path state(options.out + ".training");

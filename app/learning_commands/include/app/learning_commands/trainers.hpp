@@ -1,5 +1,7 @@
-// What trains, or says that this program cannot: built with DEIXIS_LEARNING=ON from trainers.cpp, else from
-// trainers_absent.cpp.
+// What trains. LibTorch takes most of a second to load, so the trainers are in a program of their own,
+// deixis-train, which is built with DEIXIS_LEARNING=ON and lies beside deixis; deixis starts it in its own
+// place, with the same arguments. It is the same program with app/trainers/trainers.cpp for
+// trainers_elsewhere.cpp.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +30,11 @@ struct TrainingRequest {
     bool full_body = false;
     std::vector<std::string> settings{};  ///< NAME=VALUE of AmpSettings
     std::optional<learning::RankPlace> rank{};
+    learning::Provenance provenance{};  ///< this program
 };
 
+/// Where this is false, train() and joinTrained() start deixis-train in place of this program. They return
+/// only where that is not there, with an error that says how to get it.
 [[nodiscard]] bool canTrain();
 /// `remark` is told what is to be known of the training before it begins.
 [[nodiscard]] Result<learning::TrainingOutcome> train(const TrainingRequest& request,

@@ -1,9 +1,8 @@
-#include "trainers.hpp"
-
+// In the program deixis-train: the trainers.
 #include <fmt/format.h>
 
+#include "app/learning_commands/trainers.hpp"
 #include "core/number.hpp"
-#include "demonstrations.hpp"
 #include "learning/amp/training.hpp"
 #include "learning/flow/training.hpp"
 #include "learning/moglow/training.hpp"
@@ -21,7 +20,7 @@ Result<TrainingOutcome> trainMoglow(const TrainingRequest& request, const learni
     settings.threads = request.threads;
     settings.updates = request.updates.value_or(settings.updates);
     settings.validate_every = request.validate_every.value_or(settings.validate_every);
-    return learning::trainMoglow(data, settings, programProvenance(), request.file, report);
+    return learning::trainMoglow(data, settings, request.provenance, request.file, report);
 }
 
 Result<TrainingOutcome> trainFlow(const TrainingRequest& request, const learning::DemonstrationSets& data,
@@ -30,7 +29,7 @@ Result<TrainingOutcome> trainFlow(const TrainingRequest& request, const learning
     settings.seed = request.seed;
     settings.updates = request.updates.value_or(settings.updates);
     settings.validate_every = request.validate_every.value_or(settings.validate_every);
-    return learning::trainFlow(data, settings, programProvenance(), request.file, report);
+    return learning::trainFlow(data, settings, request.provenance, request.file, report);
 }
 
 Result<learning::AmpClusters> clustersFor(const TrainingRequest& request,
@@ -79,7 +78,7 @@ Result<TrainingOutcome> trainAmp(const TrainingRequest& request, const learning:
     training.only_cluster = request.only_cluster;
     training.threads = request.threads;
     training.rank = request.rank;
-    return learning::trainAmp(data, training, programProvenance(), request.file, report);
+    return learning::trainAmp(data, training, request.provenance, request.file, report);
 }
 
 }  // namespace
