@@ -1,4 +1,5 @@
-// deixis view: a clip on the avatar, or a system that points at a ball; in a window or as a picture.
+// deixis view: a clip on the avatar, or a system that points at a ball; in a window, as a picture
+// or a film.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -37,7 +38,8 @@ struct ViewArguments {
 
 Result<void> view(const ViewArguments& options) {
     if (options.file.empty() == options.system.empty()) requireUsage("FILE or --system");
-    if (auto free = checkFree(options.view.screenshot, options.force); !free) return free;
+    for (const std::string& file : {options.view.screenshot, options.view.mp4_file})
+        if (auto free = checkFree(file, options.force); !free) return free;
     const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     for (const std::string& remark : avatar->remarks) fmt::print(stderr, "{}: {}\n", options.avatar, remark);
@@ -46,8 +48,8 @@ Result<void> view(const ViewArguments& options) {
         if (!system) return tl::unexpected(system.error());
         const auto& at = options.target_m;
         return viewSystem(*system->generator, *avatar,
-                          {options.view.size, options.view.screenshot, options.view.times_s,
-                           options.view.from, Vec3(at[0], at[1], at[2])});
+                          {options.view.size, options.view.screenshot, options.view.mp4_file,
+                           options.view.times_s, options.view.from, Vec3(at[0], at[1], at[2])});
     }
     const auto file = assets::importClip(options.file, options.import);
     if (!file) return tl::unexpected(file.error());
@@ -61,9 +63,9 @@ Result<void> view(const ViewArguments& options) {
 void addViewCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ViewArguments>();
     Parser command = cli.addCommand("view", "Show a clip on the avatar, or a system at work");
-    describe(command, {.writes = "nothing, unless --screenshot names a PNG file.",
+    describe(command, {.writes = "nothing, unless --screenshot names a PNG file, or --mp4 a film.",
                        .example = "deixis view clips/T001.bvh\ndeixis view clips/T001.bvh --time 0.5 1.0 "
-                                  "1.5 --screenshot strip.png\ndeixis view --system direct",
+                                  "1.5 --screenshot strip.png\ndeixis view --system direct --mp4 direct.mp4",
                        .page = "docs/clip-format.md"});
     command.addOption("FILE", options->file, clip_file_kinds);
     command.addOption("--system", options->system, "A system that points at a ball which you drag")
@@ -79,8 +81,13 @@ void addViewCommand(Parser cli, Command& chosen) {
     addImportOptions(command, options->import);
     command.addOption("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
     command.addOption("--size", options->view.size, "Window or picture size").showDefault();
-    command.addOption("--screenshot", options->view.screenshot, "Write a PNG and open no window");
-    addForce(command, options->force, "a picture that is");
+    const auto screenshot =
+        command.addOption("--screenshot", options->view.screenshot, "Write a PNG and open no window");
+    command
+        .addOption("--mp4", options->view.mp4_file,
+                   "Write a film of the whole movement (needs ffmpeg) and open no window")
+        .excludes(screenshot);
+    addForce(command, options->force, "a picture or film that is");
     command.addOption(
         "--time", options->view.times_s,
         "Time in seconds at which the clip starts or the picture is taken; several make a strip");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/window/window_gui.hpp"
+#include "film.hpp"
 #include "orbit.hpp"
 #include "renderer/drawing/renderer.hpp"
 
@@ -118,6 +119,11 @@ Result<void> viewClip(const motion::Clip& clip, const std::string& name, const s
             options.times_s.empty() ? std::vector<double>{0.0} : options.times_s;
         return writeStrip(options.screenshot, avatar, *size, times,
                           [&](double time_s) { return scene.at(time_s, *orbit); });
+    }
+    if (!options.mp4_file.empty()) {
+        ClipScene scene(clip, avatar);
+        return writeFilm(options.mp4_file, avatar, *size, clip.duration_s(),
+                         [&](double time_s) { return scene.at(time_s, *orbit); });
     }
     const std::string title = std::filesystem::path(name).filename().string();
     const double begin_s = options.times_s.empty() ? 0.0 : options.times_s.front();

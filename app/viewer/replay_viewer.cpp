@@ -14,6 +14,7 @@
 #include "app/window/gl_window.hpp"
 #include "app/window/window_gui.hpp"
 #include "core/staging.hpp"
+#include "film.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "orbit.hpp"
 #include "renderer/drawing/renderer.hpp"
@@ -61,8 +62,6 @@ class Show {
     std::vector<studies::TrialReplay> replays_;
 };
 
-using TakeImage = std::function<Result<void>(const renderer::Image&)>;
-
 // Each frame of each answer, off screen.
 Result<int> drawAll(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
                     WindowSize size, const TakeImage& take) {
@@ -107,39 +106,6 @@ Result<void> writePictures(const Show& show, const assets::Avatar& avatar, const
     if (!frames) return tl::unexpected(frames.error());
     if (auto moved = staging->moveHome(names, framesIn(options.png_folder), false); !moved) return moved;
     fmt::print("{} frames: {}\n", *frames, options.png_folder);
-    return {};
-}
-
-std::string quoted(const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-}
-
-Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
-                       WindowSize size) {
-    if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
-        return fail("--mp4", "ffmpeg, which makes the film, is not installed",
-                    "Install it (Debian: apt install ffmpeg), or write pictures with --png FOLDER");
-    // Written beside and renamed at the end: no half film.
-    PartialFile partial(options.mp4_file, ".partial.mp4");
-    const std::string command = fmt::format(
-        "ffmpeg -y -loglevel error -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i - "
-        "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p {}",
-        size.width, size.height, options.frames_per_s, quoted(partial.path().string()));
-    std::FILE* ffmpeg = popen(command.c_str(), "w");
-    if (ffmpeg == nullptr) return fail("--mp4", "ffmpeg cannot be started");
-    const auto frames =
-        drawAll(show, avatar, options, size, [&](const renderer::Image& image) -> Result<void> {
-            if (std::fwrite(image.rgb.data(), 1, image.rgb.size(), ffmpeg) != image.rgb.size())
-                return fail(options.mp4_file, "ffmpeg stopped taking frames");
-            return {};
-        });
-    const int status = pclose(ffmpeg);
-    if (!frames) return tl::unexpected(frames.error());
-    if (status != 0) return fail(options.mp4_file, "ffmpeg could not write the film; see its message above");
-    if (auto moved = partial.finish(); !moved) return moved;
-    fmt::print("{} frames: {}\n", *frames, options.mp4_file);
     return {};
 }
 
@@ -275,7 +241,11 @@ Result<void> showReplay(const results::Recording& recording, const studies::Clip
     if (!options.png_folder.empty())
         if (auto written = writePictures(show, avatar, options, *size); !written) return written;
     if (!options.mp4_file.empty())
-        if (auto written = writeFilm(show, avatar, options, *size); !written) return written;
+        if (auto written =
+                writeFilm(options.mp4_file, *size, options.frames_per_s,
+                          [&](const TakeImage& take) { return drawAll(show, avatar, options, *size, take); });
+            !written)
+            return written;
     if (!options.png_folder.empty() || !options.mp4_file.empty()) return {};
     const std::string title =
         fmt::format("Deixis replay - {} - {}", recording.study_title, recording.participant);

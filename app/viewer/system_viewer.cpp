@@ -12,6 +12,7 @@
 #include "app/window/picture_point.hpp"
 #include "app/window/window_gui.hpp"
 #include "core/room.hpp"
+#include "film.hpp"
 #include "motion/pointing/accuracy.hpp"
 #include "motion/pointing/phases.hpp"
 #include "motion/pointing/rays.hpp"
@@ -248,12 +249,15 @@ Result<void> viewSystem(const motion::Generator& system, const assets::Avatar& a
     const auto orbit = orbitFrom(options.from);
     if (!orbit) return tl::unexpected(orbit.error());
     Performance performance(system, options.seed, keptInRoom(options.target_m));
-    if (options.screenshot.empty()) return window(std::move(performance), system, avatar, *orbit, *size);
     motion::LocalPose pose;
+    const auto scene_at = [&](double time_s) { return sceneOf(performance, time_s, avatar, *orbit, pose); };
+    if (!options.mp4_file.empty()) {
+        return writeFilm(options.mp4_file, avatar, *size, performance.clip().duration_s(), scene_at);
+    }
+    if (options.screenshot.empty()) return window(std::move(performance), system, avatar, *orbit, *size);
     const std::vector<double> times =
         options.times_s.empty() ? std::vector<double>{performance.holdTime_s()} : options.times_s;
-    return writeStrip(options.screenshot, avatar, *size, times,
-                      [&](double time_s) { return sceneOf(performance, time_s, avatar, *orbit, pose); });
+    return writeStrip(options.screenshot, avatar, *size, times, scene_at);
 }
 
 }  // namespace deixis::app

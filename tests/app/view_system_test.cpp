@@ -1,4 +1,6 @@
 // deixis view --system: a system that points at a ball, as a picture.
+#include <filesystem>
+
 #include "program.hpp"
 #include "text.hpp"
 
@@ -22,6 +24,30 @@ TEST_SUITE("app/view_system") {
         CHECK(width(one) == 160);
         CHECK(width(two) == 320);
         CHECK(one != other);
+    }
+
+    TEST_CASE("a film has every frame of the movement, 30 a second, and none is left where ffmpeg fails") {
+        const Scratch scratch;
+        // In place of ffmpeg, which takes a while to install: keeps what it is given, in the file that it
+        // names.
+        const auto film = [&](const std::string& ffmpeg, const std::string& file) {
+            spill(scratch / "ffmpeg", "#!/bin/sh\nfor last; do :; done\n" + ffmpeg + "\n");
+            std::filesystem::permissions(scratch / "ffmpeg", std::filesystem::perms::owner_all);
+            return program("view --system direct --size 160x120 --mp4 " + (scratch / file),
+                           "env PATH=" + scratch.path().string() + ":$PATH");
+        };
+        const auto done = film("cat >\"$last\"", "new/direct.mp4");
+        REQUIRE_MESSAGE(done.status == 0, done.err);
+        const std::string frames = slurp(scratch / "new/direct.mp4");
+        constexpr std::size_t frame = 160 * 120 * 3;
+        REQUIRE(frames.size() % frame == 0);
+        const std::size_t count = frames.size() / frame;
+        CHECK(count > 30);
+        CHECK(contains(done.out, std::to_string(count) + " frames"));
+        CHECK(frames.substr(0, frame) != frames.substr(frame * (count / 2), frame));
+        CHECK_FAILS_SAYING(film("exit 1", "broken.mp4"), "broken.mp4",
+                           "ffmpeg could not write the film");
+        CHECK_FALSE(std::filesystem::exists(scratch / "broken.mp4"));
     }
 
     TEST_CASE("a clip or a system, and not both") {

@@ -1,4 +1,5 @@
-// A clip on the avatar in its own window: play, pause, scrub, speed, an orbiting camera. Or as a picture.
+// A clip on the avatar in its own window: play, pause, scrub, speed, an orbiting camera. Or as a picture
+// or a film.
 #pragma once
 
 #include <string>
@@ -12,7 +13,8 @@ namespace deixis::app {
 
 struct ViewOptions {
     std::string size = "1280x720";
-    std::string screenshot;       ///< PNG file; empty: a window
+    std::string screenshot;       ///< PNG file; empty, and no film: a window
+    std::string mp4_file;         ///< a film of the whole clip
     std::vector<double> times_s;  ///< pictured side by side; the window starts at the first
     std::string from = "three-quarter";
 };

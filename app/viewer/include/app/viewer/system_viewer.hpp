@@ -1,4 +1,5 @@
-// A system at work in its own window: it points at a ball that one drags with the mouse. Or as a picture.
+// A system at work in its own window: it points at a ball that one drags with the mouse. Or as a picture
+// or a film.
 #pragma once
 
 #include <string>
@@ -12,7 +13,8 @@ namespace deixis::app {
 
 struct SystemViewOptions {
     std::string size = "1280x720";
-    std::string screenshot;       ///< PNG file; empty: a window
+    std::string screenshot;       ///< PNG file; empty, and no film: a window
+    std::string mp4_file;         ///< a film of the whole gesture
     std::vector<double> times_s;  ///< the picture's; where there is none the middle of the hold
     std::string from = "three-quarter";
     Vec3 target_m{0.5, 1.2, 1.6};
