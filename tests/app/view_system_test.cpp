@@ -45,8 +45,7 @@ TEST_SUITE("app/view_system") {
         CHECK(count > 30);
         CHECK(contains(done.out, std::to_string(count) + " frames"));
         CHECK(frames.substr(0, frame) != frames.substr(frame * (count / 2), frame));
-        CHECK_FAILS_SAYING(film("exit 1", "broken.mp4"), "broken.mp4",
-                           "ffmpeg could not write the film");
+        CHECK_FAILS_SAYING(film("exit 1", "broken.mp4"), "broken.mp4", "ffmpeg could not write the film");
         CHECK_FALSE(std::filesystem::exists(scratch / "broken.mp4"));
     }
 
