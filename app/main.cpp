@@ -21,6 +21,9 @@
 #include "core/server_address.hpp"
 #include "core/text.hpp"
 #include "results/database/check_progress.hpp"
+#ifdef DEIXIS_TRAINERS
+#include "trainers/trainers.hpp"
+#endif
 
 namespace {
 
@@ -54,6 +57,9 @@ int main(int argc, char** argv) {
     cli.fallthrough(false);
 
     Command chosen;
+#ifdef DEIXIS_TRAINERS
+    useTrainers(trainers());
+#endif
     addCommands(cli, chosen);
 
     const std::vector<std::string> arguments =

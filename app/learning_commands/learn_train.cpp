@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "app/clips/study_setup.hpp"
-#include "app/learning_commands/trainers.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/progress_line.hpp"
@@ -17,6 +16,7 @@
 #include "demonstrations.hpp"
 #include "learn_commands.hpp"
 #include "motion/learned/gt_nn.hpp"
+#include "start_trainers.hpp"
 #include "training_curves.hpp"
 
 namespace deixis::app {
@@ -134,7 +134,8 @@ Result<void> runTraining(const LearnTrainArguments& options) {
     if (request.system == "amp-pfnn" && !request.clusters && request.bandwidth.empty())
         requireUsage("--clusters or --bandwidth");
     const bool tells = !request.rank || request.rank->rank == 0;
-    if (!canTrain()) return tl::unexpected(train(request, {}, {}, {}).error());
+    const Trainers* const trainers = trainersHere();
+    if (trainers == nullptr) return startTrainers();
     request.provenance = programProvenance();
 
     std::error_code code;
@@ -158,7 +159,7 @@ Result<void> runTraining(const LearnTrainArguments& options) {
                        data->synthetic ? "synthetic " : "", data->validation.size(),
                        goes_on ? "; the training goes on" : ""));
     (void)std::signal(SIGINT, onInterrupt);
-    const auto outcome = train(request, *data, remark, [&](const TrainingProgress& progress) {
+    const auto outcome = trainers->train(request, *data, remark, [&](const TrainingProgress& progress) {
         return tells ? tell(progress) : interrupted == 0;
     });
     (void)std::signal(SIGINT, SIG_DFL);
@@ -289,7 +290,9 @@ struct LearnJoinArguments {
 
 Result<void> join(const LearnJoinArguments& options) {
     if (const auto free = checkFree(options.out, options.force); !free) return free;
-    const auto joined = joinTrained({options.parts.begin(), options.parts.end()}, options.out);
+    const Trainers* const trainers = trainersHere();
+    if (trainers == nullptr) return startTrainers();
+    const auto joined = trainers->join({options.parts.begin(), options.parts.end()}, options.out);
     if (joined) fmt::print("{} clusters: {}\n", options.parts.size(), options.out);
     return joined;
 }

@@ -1,7 +1,7 @@
-// In the program deixis-train: the trainers.
+#include "trainers.hpp"
+
 #include <fmt/format.h>
 
-#include "app/learning_commands/trainers.hpp"
 #include "core/number.hpp"
 #include "learning/amp/training.hpp"
 #include "learning/flow/training.hpp"
@@ -45,8 +45,7 @@ Result<learning::AmpClusters> clustersFor(const TrainingRequest& request,
 }
 
 Result<TrainingOutcome> trainAmp(const TrainingRequest& request, const learning::DemonstrationSets& data,
-                                 const std::function<void(const std::string&)>& remark,
-                                 const learning::TrainingReport& report) {
+                                 const Trainers::Remark& remark, const learning::TrainingReport& report) {
     learning::AmpTraining training{.system = request.system};
     const bool phase_functioned = request.system == "amp-pfnn";
     learning::AmpSettings& settings = training.settings;
@@ -81,22 +80,17 @@ Result<TrainingOutcome> trainAmp(const TrainingRequest& request, const learning:
     return learning::trainAmp(data, training, request.provenance, request.file, report);
 }
 
-}  // namespace
-
-bool canTrain() {
-    return true;
-}
-
 Result<TrainingOutcome> train(const TrainingRequest& request, const learning::DemonstrationSets& data,
-                              const std::function<void(const std::string&)>& remark,
-                              const learning::TrainingReport& report) {
+                              const Trainers::Remark& remark, const learning::TrainingReport& report) {
     if (request.system == "moglow") return trainMoglow(request, data, report);
     if (request.system == "flow") return trainFlow(request, data, report);
     return trainAmp(request, data, remark, report);
 }
 
-Result<void> joinTrained(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& file) {
-    return learning::joinAmp(parts, file);
+}  // namespace
+
+Trainers trainers() {
+    return {train, learning::joinAmp};
 }
 
 }  // namespace deixis::app

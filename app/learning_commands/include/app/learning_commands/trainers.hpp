@@ -1,7 +1,6 @@
 // What trains. LibTorch takes most of a second to load, so the trainers are in a program of their own,
 // deixis-train, which is built with DEIXIS_LEARNING=ON and lies beside deixis; deixis starts it in its own
-// place, with the same arguments. It is the same program with app/trainers/trainers.cpp for
-// trainers_elsewhere.cpp.
+// place, with the same arguments. It is the same program with trainers (app/trainers).
 #pragma once
 
 #include <cstdint>
@@ -33,15 +32,17 @@ struct TrainingRequest {
     learning::Provenance provenance{};  ///< this program
 };
 
-/// Where this is false, train() and joinTrained() start deixis-train in place of this program. They return
-/// only where that is not there, with an error that says how to get it.
-[[nodiscard]] bool canTrain();
-/// `remark` is told what is to be known of the training before it begins.
-[[nodiscard]] Result<learning::TrainingOutcome> train(const TrainingRequest& request,
-                                                      const learning::DemonstrationSets& data,
-                                                      const std::function<void(const std::string&)>& remark,
-                                                      const learning::TrainingReport& report);
-[[nodiscard]] Result<void> joinTrained(const std::vector<std::filesystem::path>& parts,
-                                       const std::filesystem::path& file);
+struct Trainers {
+    /// `remark` is told what is to be known of the training before it begins.
+    using Remark = std::function<void(const std::string&)>;
+
+    Result<learning::TrainingOutcome> (*train)(const TrainingRequest& request,
+                                               const learning::DemonstrationSets& data, const Remark& remark,
+                                               const learning::TrainingReport& report);
+    Result<void> (*join)(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& file);
+};
+
+/// `deixis learn` trains with these, and starts deixis-train where there are none.
+void useTrainers(const Trainers& trainers);
 
 }  // namespace deixis::app

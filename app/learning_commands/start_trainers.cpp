@@ -1,18 +1,20 @@
-// In the program deixis: starts deixis-train.
+#include "start_trainers.hpp"
+
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
-
-#include "app/learning_commands/trainers.hpp"
 
 namespace deixis::app {
 
 namespace {
+
+std::optional<Trainers> in_use;
 
 /// A processor that OpenBLAS knows and whose vectors this one has; none where it has only old ones. OpenBLAS
 /// takes slow kernels on processors that are newer than itself, and looks for them only when a program
@@ -28,7 +30,16 @@ const char* kindOfProcessor() {
     return nullptr;
 }
 
-/// Returns only where it is not there.
+}  // namespace
+
+void useTrainers(const Trainers& trainers) {
+    in_use = trainers;
+}
+
+const Trainers* trainersHere() {
+    return in_use ? &*in_use : nullptr;
+}
+
 tl::unexpected<Error> startTrainers() {
     std::error_code code;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", code).parent_path() / "deixis-train";
@@ -44,22 +55,6 @@ tl::unexpected<Error> startTrainers() {
     }
     return fail("learn", "this program was built without what trains",
                 "Run scripts/install.sh learning, and build with the preset learning (docs/learning.md)");
-}
-
-}  // namespace
-
-bool canTrain() {
-    return false;
-}
-
-Result<learning::TrainingOutcome> train(const TrainingRequest&, const learning::DemonstrationSets&,
-                                        const std::function<void(const std::string&)>&,
-                                        const learning::TrainingReport&) {
-    return startTrainers();
-}
-
-Result<void> joinTrained(const std::vector<std::filesystem::path>&, const std::filesystem::path&) {
-    return startTrainers();
 }
 
 }  // namespace deixis::app
