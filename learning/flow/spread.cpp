@@ -9,16 +9,16 @@ namespace deixis::learning {
 
 namespace {
 
-using motion::GestureCourses;
+using motion::GestureTrajectories;
 
 constexpr int times = 29;  ///< of a gesture, from its begin to its end
 constexpr int draws = 16;  ///< for each place
 
 /// Elbow, wrist and fingertip at each of the times.
-std::vector<Vec3> armOf(const GestureCourses& courses, const std::vector<double>& course) {
+std::vector<Vec3> armOf(const GestureTrajectories& trajectories, const std::vector<double>& trajectory) {
     std::vector<Vec3> out;
     for (int i = 0; i < times; ++i) {
-        const auto arm = courses.arm_m(course, motion::PhaseTrajectory::whole * i / (times - 1));
+        const auto arm = trajectories.arm_m(trajectory, motion::PhaseTrajectory::whole * i / (times - 1));
         out.insert(out.end(), arm.begin(), arm.end());
     }
     return out;
@@ -45,20 +45,20 @@ double variance(const std::vector<std::vector<Vec3>>& arms) {
 
 Spread flowSpread(const motion::FlowMatching& model, const std::vector<motion::Demonstration>& demonstrations,
                   std::uint64_t seed) {
-    const GestureCourses& courses = model.courses();
+    const GestureTrajectories& trajectories = model.trajectories();
     const auto errors = model.process().leftOutErrors();
     Random random(seed, "spread");
     double demonstrated = 0.0, drawn = 0.0, unguided = 0.0;
     for (std::size_t i = 0; i < demonstrations.size(); ++i) {
-        const auto observation = courses.observe(demonstrations[i]);
-        std::vector<double> predicted = observation.course;
+        const auto observation = trajectories.observe(demonstrations[i]);
+        std::vector<double> predicted = observation.trajectory;
         for (std::size_t d = 0; d < predicted.size(); ++d)
             predicted[d] -= errors(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d));
-        demonstrated += squares(armOf(courses, observation.course), armOf(courses, predicted));
+        demonstrated += squares(armOf(trajectories, observation.trajectory), armOf(trajectories, predicted));
         for (const bool guided : {true, false}) {
             std::vector<std::vector<Vec3>> arms;
             for (int draw = 0; draw < draws; ++draw)
-                arms.push_back(armOf(courses, model.draw(observation.place_m, random, guided)));
+                arms.push_back(armOf(trajectories, model.draw(observation.place_m, random, guided)));
             (guided ? drawn : unguided) += variance(arms);
         }
     }

@@ -19,15 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 using motion::Demonstration;
-using motion::GestureCourses;
+using motion::GestureTrajectories;
 using motion::NamedArray;
 using motion::NetworkWeights;
 using motion::WeightsPrecision;
 using torch::Tensor;
 
 /// What is learned from: demonstrations, what they are regressed on, and what is left over.
-struct Courses {
-    std::vector<GestureCourses::Observation> observations;
+struct Trajectories {
+    std::vector<GestureTrajectories::Observation> observations;
     motion::Kernel kernel;
     Eigen::MatrixXd directions;  ///< a column each
     Eigen::MatrixXd weights;     ///< of the directions, a row for each demonstration: mean square about 1
@@ -50,11 +50,11 @@ Eigen::MatrixXd matrixOf(const std::vector<std::vector<double>>& rows) {
     return out;
 }
 
-Courses coursesOf(const GestureCourses& of, const std::vector<Demonstration>& demonstrations,
-                  int directions) {
-    Courses out;
+Trajectories trajectoriesOf(const GestureTrajectories& of, const std::vector<Demonstration>& demonstrations,
+                            int directions) {
+    Trajectories out;
     for (const Demonstration& one : demonstrations) out.observations.push_back(of.observe(one));
-    const auto process = motion::courseRegression(out.observations);
+    const auto process = motion::trajectoryRegression(out.observations);
     out.kernel = process.kernel();
     const Eigen::BDCSVD<Eigen::MatrixXd> parts(process.leftOutErrors(),
                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -68,12 +68,12 @@ Courses coursesOf(const GestureCourses& of, const std::vector<Demonstration>& de
 
 class FlowTrainer {
   public:
-    FlowTrainer(const Courses& courses, const FlowSettings& settings)
+    FlowTrainer(const Trajectories& trajectories, const FlowSettings& settings)
         : settings_(settings),
           random_(settings.seed, "flow training"),
-          seen_(rows(courses, [&](std::size_t i) { return courses.observations[i].seen; })),
-          ends_(rows(courses, [&](std::size_t i) {
-              const Eigen::VectorXd row = courses.weights.row(static_cast<Eigen::Index>(i));
+          seen_(rows(trajectories, [&](std::size_t i) { return trajectories.observations[i].seen; })),
+          ends_(rows(trajectories, [&](std::size_t i) {
+              const Eigen::VectorXd row = trajectories.weights.row(static_cast<Eigen::Index>(i));
               return std::vector<double>(row.begin(), row.end());
           })) {
         seedTorch(settings.seed, "flow networks");
@@ -116,11 +116,11 @@ class FlowTrainer {
 
   private:
     template <typename Row>
-    static Tensor rows(const Courses& courses, const Row& row) {
+    static Tensor rows(const Trajectories& trajectories, const Row& row) {
         std::vector<float> out;
-        for (std::size_t i = 0; i < courses.observations.size(); ++i)
+        for (std::size_t i = 0; i < trajectories.observations.size(); ++i)
             for (const double value : row(i)) out.push_back(static_cast<float>(value));
-        return torch::tensor(out).reshape({static_cast<std::int64_t>(courses.observations.size()), -1});
+        return torch::tensor(out).reshape({static_cast<std::int64_t>(trajectories.observations.size()), -1});
     }
     Tensor normals(std::int64_t count, std::int64_t columns) {
         std::vector<float> out(static_cast<std::size_t>(count * columns));
@@ -135,16 +135,16 @@ class FlowTrainer {
     std::unique_ptr<torch::optim::Adam> optimiser_;
 };
 
-NetworkWeights weightsOf(const Courses& courses, const GestureCourses& of, const FlowSettings& settings,
-                         const FlowTrainer& trainer) {
+NetworkWeights weightsOf(const Trajectories& trajectories, const GestureTrajectories& of,
+                         const FlowSettings& settings, const FlowTrainer& trainer) {
     NetworkWeights out;
     out.architecture = motion::flow_architecture;
     out.settings = {{"features", of.features().names()},
                     {"eye_limit_rad", settings.eye_limit_rad},
-                    {"demonstrations", static_cast<double>(courses.observations.size())},
-                    {"kernel_length", courses.kernel.length},
-                    {"kernel_noise", courses.kernel.noise},
-                    {"directions", static_cast<double>(courses.directions.cols())},
+                    {"demonstrations", static_cast<double>(trajectories.observations.size())},
+                    {"kernel_length", trajectories.kernel.length},
+                    {"kernel_noise", trajectories.kernel.noise},
+                    {"directions", static_cast<double>(trajectories.directions.cols())},
                     {"hidden", static_cast<double>(settings.shape.hidden)},
                     {"steps", static_cast<double>(settings.shape.steps)},
                     {"updates", static_cast<double>(settings.updates)},
@@ -152,26 +152,26 @@ NetworkWeights weightsOf(const Courses& courses, const GestureCourses& of, const
                     {"learning_rate", settings.learning_rate},
                     {"blur", settings.blur},
                     {"smoothing", settings.smoothing}};
-    std::vector<std::vector<double>> seen, course;
-    for (const auto& one : courses.observations) {
+    std::vector<std::vector<double>> seen, trajectory;
+    for (const auto& one : trajectories.observations) {
         seen.push_back(one.seen);
-        course.push_back(one.course);
+        trajectory.push_back(one.trajectory);
     }
-    out.arrays = {arrayFrom("seen", matrixOf(seen)), arrayFrom("courses", matrixOf(course)),
-                  arrayFrom("directions", courses.directions)};
+    out.arrays = {arrayFrom("seen", matrixOf(seen)), arrayFrom("courses", matrixOf(trajectory)),
+                  arrayFrom("directions", trajectories.directions)};
     trainer.append(out.arrays);
     return out;
 }
 
 /// Begins draws with so much noise that they spread as the demonstrations do; their spread then.
-Result<Spread> setNoise(NetworkWeights& weights, const GestureCourses& courses,
+Result<Spread> setNoise(NetworkWeights& weights, const GestureTrajectories& trajectories,
                         const std::vector<Demonstration>& demonstrations, std::uint64_t seed) {
     constexpr int rounds = 2;
     Spread spread;
     double noise = 1.0;
     for (int round = 0; round <= rounds; ++round) {
         weights.settings["noise"] = noise;
-        const auto model = motion::FlowMatching::of(weights, courses);
+        const auto model = motion::FlowMatching::of(weights, trajectories);
         if (!model) return tl::unexpected(model.error());
         spread = flowSpread(*model, demonstrations, seed);
         if (round < rounds) noise = std::clamp(noise * spread.demonstrated_m / spread.drawn_m, 0.25, 4.0);
@@ -192,11 +192,11 @@ Result<TrainingOutcome> trainFlow(const DemonstrationSets& data, const FlowSetti
             fmt::format("found {} demonstrations to train on and {} held out, expected at least {} and one",
                         training.size(), data.validation.size(), fewest));
     const motion::Skeleton& avatar = training.front().gesture.clip.skeleton;
-    const auto of = GestureCourses::of(avatar, settings.eye_limit_rad);
+    const auto of = GestureTrajectories::of(avatar, settings.eye_limit_rad);
     if (!of) return tl::unexpected(of.error());
     setUpTorch(1);
-    const Courses courses = coursesOf(*of, training, settings.shape.directions);
-    FlowTrainer trainer(courses, settings);
+    const Trajectories trajectories = trajectoriesOf(*of, training, settings.shape.directions);
+    FlowTrainer trainer(trajectories, settings);
     TrainingOutcome out;
     double sum = 0.0;
     int summed = 0;
@@ -217,7 +217,7 @@ Result<TrainingOutcome> trainFlow(const DemonstrationSets& data, const FlowSetti
         sum = 0.0;
         summed = 0;
         if (try_out) {
-            NetworkWeights weights = weightsOf(courses, *of, settings, trainer);
+            NetworkWeights weights = weightsOf(trajectories, *of, settings, trainer);
             setProvenance(weights, data, settings.seed, provenance);
             const auto spread = setNoise(weights, *of, training, settings.seed);
             if (!spread) return tl::unexpected(spread.error());

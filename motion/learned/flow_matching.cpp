@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_observations = 100'000;
 
-Result<GaussianProcess> processOf(const NetworkWeights& weights, std::size_t course_size) {
+Result<GaussianProcess> processOf(const NetworkWeights& weights, std::size_t trajectory_size) {
     int count = 0;
     Kernel kernel;
     Taking take;
@@ -38,9 +38,9 @@ Result<GaussianProcess> processOf(const NetworkWeights& weights, std::size_t cou
     };
     const auto seen = rows("seen", 3);
     if (!seen) return tl::unexpected(seen.error());
-    const auto courses = rows("courses", course_size);
-    if (!courses) return tl::unexpected(courses.error());
-    return GaussianProcess(*seen, *courses, kernel);
+    const auto trajectories = rows("courses", trajectory_size);
+    if (!trajectories) return tl::unexpected(trajectories.error());
+    return GaussianProcess(*seen, *trajectories, kernel);
 }
 
 VectorXf rectified(const VectorXf& x) {
@@ -55,7 +55,7 @@ class FlowSystem : public Generator {
 
     GeneratedClip generate(const GenerationRequest& asked) const override {
         Random random(asked.seed, "flow");
-        return model_.courses().perform(
+        return model_.trajectories().perform(
             asked, name(), [&](const Vec3& target_m) { return model_.draw(target_m, random, true); });
     }
 
@@ -65,13 +65,13 @@ class FlowSystem : public Generator {
 
 }  // namespace
 
-Result<FlowMatching> FlowMatching::of(const NetworkWeights& weights, GestureCourses courses) {
+Result<FlowMatching> FlowMatching::of(const NetworkWeights& weights, GestureTrajectories trajectories) {
     if (weights.architecture != flow_architecture)
         return fail(weights.file, fmt::format("these are weights of '{}', expected '{}'",
                                               weights.architecture, flow_architecture));
-    if (const auto same = weights.checkFeatures(courses.features().names()); !same)
+    if (const auto same = weights.checkFeatures(trajectories.features().names()); !same)
         return tl::unexpected(same.error());
-    FlowMatching out(std::move(courses));
+    FlowMatching out(std::move(trajectories));
     FlowMatchingShape& shape = out.shape_;
     Taking take;
     take(shape.directions, weights.count("directions", 1, 1000));
@@ -79,8 +79,8 @@ Result<FlowMatching> FlowMatching::of(const NetworkWeights& weights, GestureCour
     take(shape.steps, weights.count("steps", 1, 1000));
     take(shape.noise, weights.number("noise"));
     if (take.problem()) return tl::unexpected(*take.problem());
-    const auto size = static_cast<int>(out.courses_.size());
-    auto process = processOf(weights, out.courses_.size());
+    const auto size = static_cast<int>(out.trajectories_.size());
+    auto process = processOf(weights, out.trajectories_.size());
     if (!process) return tl::unexpected(process.error());
     out.process_ = std::move(*process);
     take(out.directions_, readMatrix(weights, "directions", size, shape.directions));
@@ -92,7 +92,7 @@ Result<FlowMatching> FlowMatching::of(const NetworkWeights& weights, GestureCour
 }
 
 std::vector<double> FlowMatching::middle(const Vec3& target_m) const {
-    return process_->predict(asNearAs(*process_, courses_.seen(target_m)));
+    return process_->predict(asNearAs(*process_, trajectories_.seen(target_m)));
 }
 
 VectorXf FlowMatching::predicted(const VectorXf& weights, double time, const VectorXf& seen) const {
@@ -101,7 +101,8 @@ VectorXf FlowMatching::predicted(const VectorXf& weights, double time, const Vec
     return last_.forward(rectified(second_.forward(rectified(first_.forward(input)))));
 }
 
-std::vector<double> FlowMatching::courseOf(const std::vector<double>& middle, const VectorXf& weights) const {
+std::vector<double> FlowMatching::trajectoryOf(const std::vector<double>& middle,
+                                               const VectorXf& weights) const {
     const VectorXf added = directions_ * weights;
     std::vector<double> out = middle;
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -117,7 +118,7 @@ VectorXf FlowMatching::aimed(VectorXf weights, const std::vector<double>& middle
     constexpr float farthest = 4.0F;  // in spreads: beyond is no gesture that somebody makes
     using Missed = Eigen::Vector2d;
     const auto missedBy = [&](const VectorXf& at) -> Missed {
-        const auto missed = courses_.missed_rad(courseOf(middle, at), target_m);
+        const auto missed = trajectories_.missed_rad(trajectoryOf(middle, at), target_m);
         return {missed[0], missed[1]};
     };
     Missed missed = missedBy(weights);
@@ -146,7 +147,7 @@ VectorXf FlowMatching::aimed(VectorXf weights, const std::vector<double>& middle
 }
 
 std::vector<double> FlowMatching::draw(const Vec3& target_m, Random& random, bool guided) const {
-    const std::vector<double> seen = asNearAs(*process_, courses_.seen(target_m));
+    const std::vector<double> seen = asNearAs(*process_, trajectories_.seen(target_m));
     const VectorXf condition = Eigen::VectorXd::Map(seen.data(), 3).cast<float>();
     const std::vector<double> at = process_->predict(seen);
     VectorXf weights(shape_.directions);
@@ -159,15 +160,15 @@ std::vector<double> FlowMatching::draw(const Vec3& target_m, Random& random, boo
         const auto share = static_cast<float>(1.0 / (shape_.steps - step));
         weights += share * (end - weights);
     }
-    return courseOf(at, weights);
+    return trajectoryOf(at, weights);
 }
 
 Result<std::unique_ptr<Generator>> makeFlow(const NetworkWeights& weights, const Skeleton& avatar) {
     const auto eye_limit_rad = weights.number("eye_limit_rad");
     if (!eye_limit_rad) return tl::unexpected(eye_limit_rad.error());
-    auto courses = GestureCourses::of(avatar, *eye_limit_rad);
-    if (!courses) return tl::unexpected(courses.error());
-    auto model = FlowMatching::of(weights, std::move(*courses));
+    auto trajectories = GestureTrajectories::of(avatar, *eye_limit_rad);
+    if (!trajectories) return tl::unexpected(trajectories.error());
+    auto model = FlowMatching::of(weights, std::move(*trajectories));
     if (!model) return tl::unexpected(model.error());
     return std::make_unique<FlowSystem>(std::move(*model));
 }

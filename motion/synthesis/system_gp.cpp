@@ -1,5 +1,5 @@
 // `gp`: a Gaussian process from where a demonstration points to how it goes.
-#include "motion/synthesis/gesture_courses.hpp"
+#include "motion/synthesis/gesture_trajectories.hpp"
 #include "pointing_plan.hpp"
 #include "systems.hpp"
 
@@ -10,28 +10,28 @@ namespace {
 class Gp : public Generator {
   public:
     Gp(const PointingBody& body, const DemonstrationParameters& parameters)
-        : courses_(body, radiansFromDegrees(parameters.body.eye_limit_deg)),
-          process_(fitted(body, courses_, parameters)) {}
+        : trajectories_(body, radiansFromDegrees(parameters.body.eye_limit_deg)),
+          process_(fitted(body, trajectories_, parameters)) {}
 
     std::string_view name() const override { return "gp"; }
 
     GeneratedClip generate(const GenerationRequest& asked) const override {
-        return courses_.perform(asked, name(), [this](const Vec3& target_m) {
-            return process_.predict(asNearAs(process_, courses_.seen(target_m)));
+        return trajectories_.perform(asked, name(), [this](const Vec3& target_m) {
+            return process_.predict(asNearAs(process_, trajectories_.seen(target_m)));
         });
     }
 
   private:
-    static GaussianProcess fitted(const PointingBody& body, const GestureCourses& courses,
+    static GaussianProcess fitted(const PointingBody& body, const GestureTrajectories& trajectories,
                                   const DemonstrationParameters& parameters) {
-        std::vector<GestureCourses::Observation> observations;
+        std::vector<GestureTrajectories::Observation> observations;
         for (const DemonstrationPlan& plan : planLibrary(body, parameters))
             observations.push_back(
-                courses.observe({plan.target, perform(body, plan.motion, parameters, plan.seed)}));
-        return courseRegression(observations);
+                trajectories.observe({plan.target, perform(body, plan.motion, parameters, plan.seed)}));
+        return trajectoryRegression(observations);
     }
 
-    GestureCourses courses_;
+    GestureTrajectories trajectories_;
     GaussianProcess process_;
 };
 

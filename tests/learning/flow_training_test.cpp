@@ -99,7 +99,7 @@ TEST_SUITE("learning/flow_training") {
         CHECK(std::abs(drawn / demonstrated - 1.0) < 0.3);
         const double eye_limit_rad = weights->number("eye_limit_rad").value();
         const auto model = motion::FlowMatching::of(
-            *weights, motion::GestureCourses::of(motion::referenceHumanoid(), eye_limit_rad).value());
+            *weights, motion::GestureTrajectories::of(motion::referenceHumanoid(), eye_limit_rad).value());
         REQUIRE(model.has_value());
         const Spread other_draws = flowSpread(*model, thirteen().training, 99);
         CHECK(std::abs(other_draws.drawn_m / demonstrated - 1.0) < 0.3);
@@ -143,7 +143,7 @@ TEST_SUITE("learning/flow_training") {
         weights.file = "some.weights";
         weights.architecture = "moglow";
         const auto foreign = motion::FlowMatching::of(
-            weights, motion::GestureCourses::of(motion::referenceHumanoid(), 0.4).value());
+            weights, motion::GestureTrajectories::of(motion::referenceHumanoid(), 0.4).value());
         REQUIRE_FALSE(foreign.has_value());
         CHECK(foreign.error().message.find("'moglow', expected 'flow'") != std::string::npos);
         weights.architecture = "flow";

@@ -1,6 +1,6 @@
-// The system `flow`: conditional flow matching (Lipman, Chen, Ben-Hamu, Nickel & Le 2023) over whole courses
-// of gestures. What a Gaussian process says of a target is the middle; a network draws what gestures differ
-// in from it, as weights of a few directions in which the demonstrations do.
+// The system `flow`: conditional flow matching (Lipman, Chen, Ben-Hamu, Nickel & Le 2023) over whole
+// trajectories of gestures. What a Gaussian process says of a target is the middle; a network draws what
+// gestures differ in from it, as weights of a few directions in which the demonstrations do.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "motion/networks/layers.hpp"
 #include "motion/networks/weights_file.hpp"
-#include "motion/synthesis/gesture_courses.hpp"
+#include "motion/synthesis/gesture_trajectories.hpp"
 
 namespace deixis::motion {
 
@@ -31,11 +31,12 @@ class FlowMatching {
   public:
     /// Fails, naming the file, where the weights are of another architecture, of another body's joints or
     /// incomplete.
-    [[nodiscard]] static Result<FlowMatching> of(const NetworkWeights& weights, GestureCourses courses);
+    [[nodiscard]] static Result<FlowMatching> of(const NetworkWeights& weights,
+                                                 GestureTrajectories trajectories);
 
-    [[nodiscard]] const GestureCourses& courses() const { return courses_; }
+    [[nodiscard]] const GestureTrajectories& trajectories() const { return trajectories_; }
     [[nodiscard]] const GaussianProcess& process() const { return *process_; }
-    /// A course for a target on the right hand's side. `guided`: in the second half of the steps what is
+    /// A trajectory for a target on the right hand's side. `guided`: in the second half of the steps what is
     /// predicted is moved, as little as the directions' own spread allows, to where the line from the eyes
     /// through the fingertip meets the target, by the body's kinematics and a line search.
     [[nodiscard]] std::vector<double> draw(const Vec3& target_m, Random& random, bool guided) const;
@@ -43,17 +44,17 @@ class FlowMatching {
     [[nodiscard]] std::vector<double> middle(const Vec3& target_m) const;
 
   private:
-    explicit FlowMatching(GestureCourses courses) : courses_(std::move(courses)) {}
+    explicit FlowMatching(GestureTrajectories trajectories) : trajectories_(std::move(trajectories)) {}
     [[nodiscard]] VectorXf predicted(const VectorXf& weights, double time, const VectorXf& seen) const;
-    [[nodiscard]] std::vector<double> courseOf(const std::vector<double>& middle,
-                                               const VectorXf& weights) const;
+    [[nodiscard]] std::vector<double> trajectoryOf(const std::vector<double>& middle,
+                                                   const VectorXf& weights) const;
     [[nodiscard]] VectorXf aimed(VectorXf weights, const std::vector<double>& middle,
                                  const Vec3& target_m) const;
 
-    GestureCourses courses_;
+    GestureTrajectories trajectories_;
     FlowMatchingShape shape_;
     std::optional<GaussianProcess> process_;
-    MatrixXf directions_;  ///< a column each: what a weight of 1 adds to a course
+    MatrixXf directions_;  ///< a column each: what a weight of 1 adds to a trajectory
     Linear first_, second_, last_;
 };
 

@@ -1,4 +1,4 @@
-#include "motion/synthesis/gesture_courses.hpp"
+#include "motion/synthesis/gesture_trajectories.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,27 +39,27 @@ Vec3 pointedAt(const PointingBody& body, const Demonstration& demonstration) {
 
 }  // namespace
 
-Result<GestureCourses> GestureCourses::of(const Skeleton& avatar, double eye_limit_rad) {
+Result<GestureTrajectories> GestureTrajectories::of(const Skeleton& avatar, double eye_limit_rad) {
     auto body = makePointingBody(avatar);
     if (!body) return tl::unexpected(body.error());
-    return GestureCourses(std::move(*body), eye_limit_rad);
+    return GestureTrajectories(std::move(*body), eye_limit_rad);
 }
 
-GestureCourses::GestureCourses(PointingBody body, double eye_limit_rad)
+GestureTrajectories::GestureTrajectories(PointingBody body, double eye_limit_rad)
     : body_(std::make_shared<const PointingBody>(std::move(body))),
       features_(*body_),
       eye_limit_rad_(eye_limit_rad) {}
 
-std::size_t GestureCourses::size() const {
+std::size_t GestureTrajectories::size() const {
     return phase_count + features_.size() * PhaseTrajectory::coefficient_count;
 }
 
-std::vector<double> GestureCourses::seen(const Vec3& place_m) const {
+std::vector<double> GestureTrajectories::seen(const Vec3& place_m) const {
     const Vec3 there = place_m - body_->eye(body_->relaxed);
     return {azimuthOf(there), elevationOf(there), 1.0 / std::max(0.3, glm::length(there))};
 }
 
-GestureCourses::Observation GestureCourses::observe(const Demonstration& demonstration) const {
+GestureTrajectories::Observation GestureTrajectories::observe(const Demonstration& demonstration) const {
     const bool left = demonstration.gesture.hand == Side::left;
     const Demonstration one = left ? mirrored(demonstration) : demonstration;
     const Clip& clip = one.gesture.clip;
@@ -67,53 +67,57 @@ GestureCourses::Observation GestureCourses::observe(const Demonstration& demonst
     Observation out;
     out.place_m = pointedAt(*body_, one);
     out.seen = seen(out.place_m);
-    for (const double duration : durations) out.course.push_back(std::log(duration));
+    for (const double duration : durations) out.trajectory.push_back(std::log(duration));
     const auto fit = fitTrajectory(features_.encode(clip), clip.frame_time_s, durations);
-    out.course.insert(out.course.end(), fit.begin(), fit.end());
+    out.trajectory.insert(out.trajectory.end(), fit.begin(), fit.end());
     return out;
 }
 
-PhaseDurations GestureCourses::durations(std::span<const double> course) const {
+PhaseDurations GestureTrajectories::durations(std::span<const double> trajectory) const {
     PhaseDurations out{};
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::clamp(std::exp(course[i]), 0.05, 10.0);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::clamp(std::exp(trajectory[i]), 0.05, 10.0);
     return out;
 }
 
-LocalPose GestureCourses::poseAt(std::span<const double> course, double aligned_time) const {
-    LocalPose pose = features_.decode(trajectoryAt(course.subspan(phase_count), aligned_time));
+LocalPose GestureTrajectories::poseAt(std::span<const double> trajectory, double aligned_time) const {
+    LocalPose pose = features_.decode(trajectoryAt(trajectory.subspan(phase_count), aligned_time));
     for (const Bone bone : {Bone::leftEye, Bone::rightEye})
         if (Quat* eye = body_->find(pose, bone)) *eye = turnedAtMost(*eye, eye_limit_rad_);
     return pose;
 }
 
-LocalPose GestureCourses::pointingPose(std::span<const double> course) const {
-    const PhaseDurations lasting = durations(course);
-    return poseAt(course, PhaseTrajectory::aligned(lasting[0] + lasting[1] + 0.5 * lasting[2], lasting));
+LocalPose GestureTrajectories::pointingPose(std::span<const double> trajectory) const {
+    const PhaseDurations lasting = durations(trajectory);
+    return poseAt(trajectory, PhaseTrajectory::aligned(lasting[0] + lasting[1] + 0.5 * lasting[2], lasting));
 }
 
-std::array<double, 2> GestureCourses::missed_rad(std::span<const double> course, const Vec3& place_m) const {
-    const Ray ray = fingertipRay(*body_, pointingPose(course), Side::right);
+std::array<double, 2> GestureTrajectories::missed_rad(std::span<const double> trajectory,
+                                                      const Vec3& place_m) const {
+    const Ray ray = fingertipRay(*body_, pointingPose(trajectory), Side::right);
     const Vec3 there = place_m - ray.origin;
     const double azimuth = azimuthOf(ray.direction) - azimuthOf(there);
     return {std::remainder(azimuth, 2.0 * pi) * std::cos(elevationOf(there)),
             elevationOf(ray.direction) - elevationOf(there)};
 }
 
-std::array<Vec3, 3> GestureCourses::arm_m(std::span<const double> course, double aligned_time) const {
-    const auto world = worldPose(body_->skeleton, poseAt(course, aligned_time));
+std::array<Vec3, 3> GestureTrajectories::arm_m(std::span<const double> trajectory,
+                                               double aligned_time) const {
+    const auto world = worldPose(body_->skeleton, poseAt(trajectory, aligned_time));
     return {world[body_->joint(Bone::rightLowerArm)].position, world[body_->joint(Bone::rightHand)].position,
             fingertipPosition(body_->skeleton, body_->map, world, Side::right)};
 }
 
-GeneratedClip GestureCourses::perform(const GenerationRequest& asked, std::string_view stream,
-                                      const std::function<std::vector<double>(const Vec3&)>& courseTo) const {
-    if (handFor(asked.target) == Side::right) return rightHanded(courseTo(asked.target), asked, stream);
-    return mirrored({asked.target, rightHanded(courseTo(mirrored(asked.target)), asked, stream)}).gesture;
+GeneratedClip GestureTrajectories::perform(
+    const GenerationRequest& asked, std::string_view stream,
+    const std::function<std::vector<double>(const Vec3&)>& trajectoryTo) const {
+    if (handFor(asked.target) == Side::right) return rightHanded(trajectoryTo(asked.target), asked, stream);
+    return mirrored({asked.target, rightHanded(trajectoryTo(mirrored(asked.target)), asked, stream)}).gesture;
 }
 
-GeneratedClip GestureCourses::rightHanded(const std::vector<double>& course, const GenerationRequest& asked,
-                                          std::string_view stream) const {
-    PhaseDurations lasting = durations(course);
+GeneratedClip GestureTrajectories::rightHanded(const std::vector<double>& trajectory,
+                                               const GenerationRequest& asked,
+                                               std::string_view stream) const {
+    PhaseDurations lasting = durations(trajectory);
     lasting[2] = asked.settings.hold_s.value_or(lasting[2]);
 
     PointingMotion motion;
@@ -124,7 +128,7 @@ GeneratedClip GestureCourses::rightHanded(const std::vector<double>& course, con
     motion.retract_s = lasting[3];
     motion.rest_after_s = lasting[4];
     const auto poseAfter = [&](double time_s) {
-        return poseAt(course, PhaseTrajectory::aligned(time_s, lasting));
+        return poseAt(trajectory, PhaseTrajectory::aligned(time_s, lasting));
     };
     motion.peak = poseAfter(motion.rest_before_s + motion.raise_s + 0.5 * motion.hold_s);
     motion = heldAs(motion, asked.settings, *body_);
@@ -158,13 +162,13 @@ std::vector<double> asNearAs(const GaussianProcess& process, std::vector<double>
     return seen;
 }
 
-GaussianProcess courseRegression(const std::vector<GestureCourses::Observation>& observations) {
+GaussianProcess trajectoryRegression(const std::vector<GestureTrajectories::Observation>& observations) {
     constexpr std::array<double, 6> lengths_rad{0.4, 0.6, 0.9, 1.3, 1.9, 2.8};
     constexpr std::array<double, 8> noises{3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3, 1.0};
     std::vector<std::vector<double>> inputs, outputs;
     for (const auto& one : observations) {
         inputs.push_back(one.seen);
-        outputs.push_back(one.course);
+        outputs.push_back(one.trajectory);
     }
     return GaussianProcess::fitted(inputs, outputs, lengths_rad, noises);
 }
