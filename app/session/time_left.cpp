@@ -4,16 +4,16 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/order_statistics.hpp"
+
 namespace deixis::app {
 
 namespace {
 
 // None where there are fewer than `enough`.
-std::optional<double> median(std::vector<double> values, int enough) {
+std::optional<double> medianOf(const std::vector<double>& values, int enough) {
     if (values.empty() || values.size() < static_cast<std::size_t>(enough)) return std::nullopt;
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+    return median(values);
 }
 
 // A page is done where nothing of it is counted.
@@ -54,16 +54,16 @@ std::optional<double> timeLeft_s(const std::vector<studies::StageProgress>& stag
         all_own.insert(all_own.end(), units.begin(), units.end());
     std::vector<double> all_history;
     for (const auto& [stage, seconds] : history) all_history.push_back(seconds);
-    std::optional<double> otherwise = median(std::move(all_own), enough_units);
-    if (!otherwise) otherwise = median(std::move(all_history), 1);
+    std::optional<double> otherwise = medianOf(all_own, enough_units);
+    if (!otherwise) otherwise = medianOf(all_history, 1);
     if (!otherwise) return std::nullopt;
 
     const auto unit_s = [&](const studies::StageProgress& stage) {
-        if (stage.of == 0) return median(own.pages_s(), 1).value_or(0.0);
+        if (stage.of == 0) return medianOf(own.pages_s(), 1).value_or(0.0);
         if (const auto known = history.find(stage.name); known != history.end()) return known->second;
         const auto here = own.units_s().find(stage.name);
         if (here == own.units_s().end()) return *otherwise;
-        return median(here->second, enough_units).value_or(*otherwise);
+        return medianOf(here->second, enough_units).value_or(*otherwise);
     };
     double left_s = 0.0;
     for (const studies::StageProgress& stage : stages) {

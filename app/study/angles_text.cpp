@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/order_statistics.hpp"
 #include "studies/design/angles.hpp"
 #include "studies/design/visibility.hpp"
 
@@ -14,14 +15,12 @@ namespace {
 
 constexpr double near_deg = 3.0;  // ours: the noise of the simulated participant's reading
 
-std::string line(const std::string& who, std::vector<double> min_deg) {
-    std::sort(min_deg.begin(), min_deg.end());
-    const std::size_t n = min_deg.size();
-    const double median = (min_deg[(n - 1) / 2] + min_deg[n / 2]) / 2.0;
+std::string line(const std::string& who, const std::vector<double>& min_deg) {
     const auto near =
         std::count_if(min_deg.begin(), min_deg.end(), [](double angle_deg) { return angle_deg < near_deg; });
-    return fmt::format("  {}: {:.1f}, median {:.1f}; under {:g} in {} of {}\n", who, min_deg.front(), median,
-                       near_deg, near, n);
+    return fmt::format("  {}: {:.1f}, median {:.1f}; under {:g} in {} of {}\n", who,
+                       *std::min_element(min_deg.begin(), min_deg.end()), median(min_deg), near_deg, near,
+                       min_deg.size());
 }
 
 }  // namespace

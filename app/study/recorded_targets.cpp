@@ -8,6 +8,7 @@
 
 #include "core/csv_sheet.hpp"
 #include "core/files.hpp"
+#include "core/order_statistics.hpp"
 
 namespace deixis::app {
 
@@ -48,12 +49,6 @@ Result<MarkerTrack> readMarker(const CsvSheet& sheet, double frame_time_s, doubl
     return track;
 }
 
-double medianOf(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 }  // namespace
 
 std::optional<Vec3> MarkerTrack::median(double from_s, double to_s) const {
@@ -63,7 +58,7 @@ std::optional<Vec3> MarkerTrack::median(double from_s, double to_s) const {
             for (int axis = 0; axis < 3; ++axis)
                 seen[static_cast<std::size_t>(axis)].push_back(sample.position[axis]);
     if (seen[0].empty()) return std::nullopt;
-    return Vec3(medianOf(seen[0]), medianOf(seen[1]), medianOf(seen[2]));
+    return Vec3(deixis::median(seen[0]), deixis::median(seen[1]), deixis::median(seen[2]));
 }
 
 Result<RecordedTargets> parseRecordedTargets(std::string_view text, const std::string& name,

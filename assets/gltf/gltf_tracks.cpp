@@ -1,4 +1,5 @@
 #include "gltf_tracks.hpp"
+#include "core/order_statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -276,8 +277,7 @@ FrameGrid frameGrid(const std::vector<Track>& tracks, double fps) {
                                               steps.step);
         return grid;
     }
-    std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2), gaps.end());
-    const double usual = gaps[gaps.size() / 2];
+    const double usual = upperMedian(gaps);
     resampleAt(usual > 1.0 / 40.0 ? 30.0 : usual > 1.0 / 80.0 ? 60.0 : 120.0);
     grid.uneven = true;
     grid.words = fmt::format("{:.7g} fps (keys at uneven times)", 1.0 / grid.frame_time_s);

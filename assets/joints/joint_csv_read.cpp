@@ -6,6 +6,7 @@
 #include "assets/joints/joint_positions.hpp"
 #include "core/csv_sheet.hpp"
 #include "core/foreign_csv.hpp"
+#include "core/order_statistics.hpp"
 #include "core/text.hpp"
 #include "number_lines.hpp"
 #include "position_import.hpp"
@@ -191,9 +192,7 @@ class JointCsvReader {
         std::vector<double> steps;
         for (std::size_t i = 1; i < recording_.times_s.size(); ++i)
             steps.push_back(recording_.times_s[i] - recording_.times_s[i - 1]);
-        const auto middle = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
-        std::nth_element(steps.begin(), middle, steps.end());
-        const double median = *middle;
+        const double median = orderStatistic(steps, (steps.size() - 1) / 2);
         constexpr double tolerance = 0.02;
         constexpr double rounding_s = 1.1e-3;  // times in whole milliseconds
         const bool steady = std::all_of(steps.begin(), steps.end(), [&](double step) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/order_statistics.hpp"
 #include "hand_track.hpp"
 #include "motion/humanoid/mapping.hpp"
 #include "motion/pointing/phases.hpp"

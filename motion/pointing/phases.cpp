@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/order_statistics.hpp"
 #include "motion/skeleton/kinematics.hpp"
 
 namespace deixis::motion {

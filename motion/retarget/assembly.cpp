@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/order_statistics.hpp"
 #include "motion/humanoid/hand_shapes.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/skeleton/bone_index.hpp"
@@ -202,9 +203,7 @@ FloorHeight floorHeight(const AvatarRest& avatar, const std::vector<BodyFrame>& 
     std::vector<double> heights;
     heights.reserve(frames.size());
     for (const BodyFrame& frame : frames) heights.push_back(soleHeight(avatar, soles, frame));
-    const auto at = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
-    std::nth_element(heights.begin(), at, heights.end());
-    return {*at, *std::min_element(heights.begin(), heights.end())};
+    return {orderStatistic(heights, heights.size() / 10), *std::min_element(heights.begin(), heights.end())};
 }
 
 Vec3 hipsPosition(const AvatarRest& avatar, const BodyFrame& frame) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/order_statistics.hpp"
 #include "motion/pointing/rays.hpp"
 #include "motion/pointing/two_bone_ik.hpp"
 #include "motion/skeleton/bone_index.hpp"
@@ -220,11 +221,7 @@ PointingError pointingError(const std::vector<SightLine>& peak_to_hold, const Ve
     for (const SightLine& line : peak_to_hold)
         errors.push_back(degreesFromRadians(
             angularError({line.fingertip, glm::normalize(line.fingertip - line.eye)}, target)));
-    std::sort(errors.begin(), errors.end());
-    const std::size_t middle = errors.size() / 2;
-    const double median =
-        errors.size() % 2 == 1 ? errors[middle] : 0.5 * (errors[middle - 1] + errors[middle]);
-    return {median, errors.back()};
+    return {median(errors), *std::max_element(errors.begin(), errors.end())};
 }
 
 }  // namespace deixis::motion

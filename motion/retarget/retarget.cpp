@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "assembly.hpp"
+#include "core/order_statistics.hpp"
 #include "core/parallel.hpp"
 #include "feet.hpp"
 #include "motion/pointing/rays.hpp"
@@ -181,9 +182,7 @@ class Mover {
     /// Height of the floor that the source stands on, metres at its own scale.
     double sourceFloor() {
         constexpr double ankle_of_leg = 0.104;  // as in the reference humanoid
-        const auto at = ankles_.begin() + static_cast<std::ptrdiff_t>(ankles_.size() / 10);
-        std::nth_element(ankles_.begin(), at, ankles_.end());
-        return *at - ankle_of_leg * avatar_.leg_length_m / scale_;
+        return orderStatistic(ankles_, ankles_.size() / 10) - ankle_of_leg * avatar_.leg_length_m / scale_;
     }
 
     Moved frames(const PointingGesture* gesture) {

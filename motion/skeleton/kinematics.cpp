@@ -63,12 +63,6 @@ std::vector<double> magnitudes(const std::vector<Vec3>& positions, double frame_
     return lengths(values);
 }
 
-double upperMedian(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 std::optional<double> logDimensionlessJerk(const std::vector<Vec3>& positions, double frame_time_s) {
     const std::size_t n = positions.size();
     if (n < 4) return std::nullopt;

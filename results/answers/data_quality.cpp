@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/order_statistics.hpp"
 #include "rated_units.hpp"
 #include "results/answers/response_table.hpp"
 #include "results/statistics/descriptive.hpp"
@@ -20,13 +21,6 @@ namespace {
 
 /// A participant's, those of a measure in their order.
 using Rows = std::vector<const ResponseRow*>;
-
-double medianOf(std::span<double> x) {
-    const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-    std::nth_element(x.begin(), middle, x.end());
-    if (x.size() % 2 == 1) return *middle;
-    return (*std::max_element(x.begin(), middle) + *middle) / 2.0;
-}
 
 /// The rating given most often, the lowest of several such. A measure with enough answers to be judged goes
 /// before one with fewer.
@@ -108,19 +102,19 @@ void judgeTimes(const std::vector<Rows>& rows_of, std::vector<ParticipantQuality
             if (!people[one.person].left_out) logarithms.push_back(std::log(one.time_s));
         }
         if (logarithms.empty()) continue;
-        const double median = medianOf(logarithms);
-        for (double& one : logarithms) one = std::abs(one - median);
-        const double spread = mad_of_normal * medianOf(logarithms);
+        const double middle = median(logarithms);
+        for (double& one : logarithms) one = std::abs(one - middle);
+        const double spread = mad_of_normal * median(logarithms);
         if (spread <= 0.0) continue;
         for (const Time& one : times) {
-            const double off = (std::log(one.time_s) - median) / spread;
+            const double off = (std::log(one.time_s) - middle) / spread;
             people[one.person].fast += off < -far;
             people[one.person].slow += off > far;
         }
     }
     for (std::size_t i = 0; i < people.size(); ++i) {
         people[i].times = static_cast<int>(own[i].size());
-        if (!own[i].empty()) people[i].median_s = medianOf(own[i]);
+        if (!own[i].empty()) people[i].median_s = median(own[i]);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/order_statistics.hpp"
 #include "core/text.hpp"
 #include "long_table_cells.hpp"
 
@@ -140,13 +141,12 @@ void warnTimes(const ResponseTable& table, std::vector<std::string>& notes) {
     for (const ResponseRow& row : table.rows)
         if (row.response_time_s > 0.0) times.push_back(row.response_time_s);
     if (times.empty()) return;
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    if (*middle >= long_s)
+    const double middle_s = upperMedian(times);
+    if (middle_s >= long_s)
         notes.push_back(
             fmt::format("Half of the response times are {:g} s or longer. If the file has milliseconds, name "
                         "the column: --column rt_ms=NAME.",
-                        *middle));
+                        middle_s));
 }
 
 void warnLetters(const ForeignCsv& csv, std::vector<std::string>& notes) {

@@ -1,4 +1,5 @@
 #include "results/statistics/mean_shift.hpp"
+#include "core/order_statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -81,9 +82,7 @@ double estimateBandwidth(const std::vector<Point>& points, double quantile) {
     std::vector<double> distances(points.size());
     for (const Point& point : points) {
         for (std::size_t i = 0; i < points.size(); ++i) distances[i] = distance(point, points[i]);
-        const auto kth = distances.begin() + static_cast<std::ptrdiff_t>(k - 1);
-        std::nth_element(distances.begin(), kth, distances.end());
-        sum += *kth;
+        sum += orderStatistic(distances, k - 1);
     }
     return sum / static_cast<double>(points.size());
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/order_statistics.hpp"
 #include "response_values.hpp"
 #include "results/database/counted_participants.hpp"
 #include "store_impl.hpp"
@@ -11,13 +12,6 @@
 namespace deixis::results {
 
 namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2.0;
-}
 
 studies::CheckKind checkKind(const std::string& name) {
     using studies::CheckKind;

@@ -57,12 +57,12 @@ enum class WeightsPrecision : unsigned char { float32, float16 };
 /// right; else it throws, as that is an error of the program.
 [[nodiscard]] std::string encodeWeights(const NetworkWeights& weights, WeightsPrecision precision);
 
-/// Refuses, each with a message of its own: what is no file of weights, one of a newer format, one that is
+/// Rejects, each with a message of its own: what is no file of weights, one of a newer format, one that is
 /// cut short or has bytes behind its end, one whose checksum is wrong, a header that lacks a key, a number
 /// that is not finite. `name` stands for the file.
 [[nodiscard]] Result<NetworkWeights> decodeWeights(std::string_view bytes, const std::string& name);
 
-/// Likewise from a file, and refuses one of another architecture.
+/// Likewise from a file, and rejects one of another architecture.
 [[nodiscard]] Result<NetworkWeights> readWeights(const std::filesystem::path& path,
                                                  const std::string& architecture);
 /// A reader sees the old file or the new one, never a half.

@@ -44,10 +44,6 @@ constexpr std::size_t derivative_count = 3;
 [[nodiscard]] std::vector<double> magnitudes(const std::vector<Vec3>& positions, double frame_time_s,
                                              Derivative derivative);
 
-/// The median, of two in the middle the greater one, so that it is a value that was there. Of one value or
-/// more.
-[[nodiscard]] double upperMedian(std::vector<double> values);
-
 /// Log dimensionless jerk (Balasubramanian, Melendez-Calderon, Roby-Brami & Burdet 2015, "On the analysis of
 /// movement smoothness", J. NeuroEng. Rehabil. 12:112): -ln(T^3 / v_peak^2 * integral of |jerk|^2 dt), with
 /// plain differences from sample to sample. Dimensionless, below 0; nearer to 0 is smoother. A minimum-jerk
