@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <exception>
 #include <glm/geometric.hpp>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 #include "app/clips/clip_files.hpp"
 #include "core/hash.hpp"
+#include "core/parallel.hpp"
 #include "motion/pointing/phases.hpp"
 #include "motion/pointing/placement.hpp"
 #include "motion/pointing/rays.hpp"
@@ -134,35 +130,15 @@ tl::expected<MeasuredClips, std::vector<Error>> measureClips(const std::vector<C
                                                              const motion::AccuracyRule& rule,
                                                              unsigned threads, const Progress& progress) {
     std::vector<std::optional<Result<OneClip>>> results(clips.size());
-    std::atomic<std::size_t> next{0};
-    std::mutex mutex;
-    std::condition_variable finished;
-    std::size_t done = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < clips.size(); i = next++) {
-            try {
-                results[i] = measure(clips[i], rule);
-            } catch (const std::exception& problem) {
-                results[i] = fail(clips[i].file.string(), problem.what());
-            }
-            const std::lock_guard lock(mutex);
-            if (++done == clips.size()) finished.notify_one();
+    const auto measureOne = [&](std::size_t i) {
+        try {
+            results[i] = measure(clips[i], rule);
+        } catch (const std::exception& problem) {
+            results[i] = fail(clips[i].file.string(), problem.what());
         }
     };
-    std::vector<std::thread> pool;
-    for (unsigned i = 0; i < std::max(1U, threads); ++i) pool.emplace_back(work);
-    {
-        std::unique_lock lock(mutex);
-        while (done < clips.size()) {
-            finished.wait_for(lock, std::chrono::milliseconds(100));
-            const std::size_t so_far = done;
-            lock.unlock();
-            if (so_far < clips.size()) progress(so_far, clips.size());
-            lock.lock();
-        }
-    }
-    for (std::thread& thread : pool) thread.join();
-    progress(clips.size(), clips.size());
+    takeInTurn(
+        clips.size(), threads, [&](unsigned) { return measureOne; }, progress);
 
     MeasuredClips out;
     std::vector<Error> problems;

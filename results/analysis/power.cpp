@@ -3,15 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
 #include <set>
-#include <thread>
 #include <tuple>
 
+#include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "results/analysis/analysis.hpp"
 #include "studies/design/plan.hpp"
@@ -191,23 +186,31 @@ struct PowerAnalysis::Impl {
         });
     }
     /// Draws the studies that `next` hands out, and counts what each finds, for each number of participants.
-    void work(const std::vector<int>& sizes, std::atomic<int>& next, std::atomic<int>& done,
-              std::vector<PowerCounts>& counts) const {
-        std::vector<AnalysisResult> analyses;
-        analyses.reserve(sizes.size());
-        for (const int size : sizes) analyses.push_back(analysisOf(size));
-        std::vector<double> values(rowsOf(sizes.back()));
-        for (int k = next++; k < result.options.studies; k = next++) {
-            answers->draw(deriveSeed(result.options.seed, fmt::format("study {}", k)), values);
-            for (std::size_t i = 0; i < sizes.size(); ++i) {
-                auto& table_rows = analyses[i].table.rows;
-                for (std::size_t row = 0; row < table_rows.size(); ++row) table_rows[row].value = values[row];
-                runTests(analyses[i]);
-                countFound(analyses[i], counts[i]);
-            }
-            ++done;
+    /// Simulates studies one after another, each analysed for all sizes, and counts what is found.
+    class Worker {
+      public:
+        Worker(const Impl& power, const std::vector<int>& sizes, std::vector<PowerCounts>& counts)
+            : power_(power), counts_(counts), values_(power.rowsOf(sizes.back())) {
+            analyses_.reserve(sizes.size());
+            for (const int size : sizes) analyses_.push_back(power.analysisOf(size));
         }
-    }
+        void operator()(std::size_t study) {
+            power_.answers->draw(deriveSeed(power_.result.options.seed, fmt::format("study {}", study)),
+                                 values_);
+            for (std::size_t i = 0; i < analyses_.size(); ++i) {
+                auto& rows = analyses_[i].table.rows;
+                for (std::size_t row = 0; row < rows.size(); ++row) rows[row].value = values_[row];
+                runTests(analyses_[i]);
+                countFound(analyses_[i], counts_[i]);
+            }
+        }
+
+      private:
+        const Impl& power_;
+        std::vector<PowerCounts>& counts_;
+        std::vector<double> values_;
+        std::vector<AnalysisResult> analyses_;
+    };
     void take(int size, const PowerCounts& counts) {
         result.participants.push_back(size);
         std::sort(result.participants.begin(), result.participants.end());
@@ -276,38 +279,9 @@ void PowerAnalysis::simulate(const std::vector<int>& participants, const PowerPr
     const auto studies = static_cast<std::size_t>(impl_->result.options.studies);
     const unsigned threads = std::max(1U, impl_->result.options.threads);
     std::vector<std::vector<PowerCounts>> counts(threads, std::vector<PowerCounts>(sizes.size()));
-    std::vector<std::exception_ptr> failures(threads);
-    std::atomic<int> next{0};
-    std::atomic<int> done{0};
-    std::mutex mutex;
-    std::condition_variable one_ended;
-    unsigned at_work = threads;
-    {
-        std::vector<std::jthread> pool;
-        for (unsigned i = 0; i < threads; ++i)
-            pool.emplace_back([&, i] {
-                try {
-                    impl_->work(sizes, next, done, counts[i]);
-                } catch (...) {
-                    failures[i] = std::current_exception();
-                    next = impl_->result.options.studies;  // the others need not go on
-                }
-                const std::lock_guard lock(mutex);
-                --at_work;
-                one_ended.notify_one();
-            });
-        std::unique_lock lock(mutex);
-        while (at_work > 0) {
-            one_ended.wait_for(lock, std::chrono::milliseconds(100));
-            lock.unlock();
-            if (const auto so_far = static_cast<std::size_t>(done.load()); so_far < studies)
-                progress(so_far, studies);
-            lock.lock();
-        }
-    }
-    for (const std::exception_ptr& failure : failures)
-        if (failure) std::rethrow_exception(failure);
-    progress(studies, studies);
+    takeInTurn(
+        studies, threads, [&](unsigned thread) { return Impl::Worker(*impl_, sizes, counts[thread]); },
+        progress);
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         PowerCounts sum;
         for (const auto& of_thread : counts) sum.add(of_thread[i]);

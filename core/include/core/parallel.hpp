@@ -2,8 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <exception>
 #include <future>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -34,6 +39,51 @@ void forRanges(std::size_t count, std::size_t worth_a_thread, const Work& work) 
         work(first, last);
         return true;
     });
+}
+
+/// Work for 0 to count - 1 in `threads` threads, at least one; each takes the next number when it is done
+/// with one. `workerOf(thread)` is called once in each thread, and what it gives with each number. Meanwhile
+/// the caller's thread calls progress(done, count), ten times a second and at the end. Where one throws, the
+/// others end after the number that they are at, and it is passed on.
+template <typename WorkerOf, typename Progress>
+void takeInTurn(std::size_t count, unsigned threads, const WorkerOf& workerOf, const Progress& progress) {
+    std::atomic<std::size_t> next{0}, done{0};
+    std::mutex mutex;
+    std::condition_variable one_ended;
+    unsigned at_work = std::max(1U, threads);
+    std::exception_ptr failure;
+    const auto run = [&](unsigned thread) {
+        try {
+            auto&& work = workerOf(thread);
+            for (std::size_t i = next++; i < count; i = next++) {
+                work(i);
+                ++done;
+            }
+        } catch (...) {
+            next = count;
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+        const std::lock_guard lock(mutex);
+        --at_work;
+        one_ended.notify_one();
+    };
+    {
+        std::vector<std::thread> pool;
+        pool.reserve(at_work);
+        for (unsigned i = 0; i < std::max(1U, threads); ++i) pool.emplace_back(run, i);
+        std::unique_lock lock(mutex);
+        while (at_work > 0) {
+            one_ended.wait_for(lock, std::chrono::milliseconds(100));
+            lock.unlock();
+            if (const std::size_t so_far = done; so_far < count) progress(so_far, count);
+            lock.lock();
+        }
+        lock.unlock();
+        for (std::thread& thread : pool) thread.join();
+    }
+    if (failure) std::rethrow_exception(failure);
+    progress(count, count);
 }
 
 }  // namespace deixis
