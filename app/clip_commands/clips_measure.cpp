@@ -84,7 +84,7 @@ void addChoices(Entries& out, const motion::PointingMeasures& m, const std::vect
 }
 
 void addBody(Entries& out, const motion::PointingMeasures& m) {
-    out.push_back(optionalEntry("foot_skate_cmps", m.foot_skate,
+    out.push_back(optionalEntry("foot_skate_cm_s", m.foot_skate,
                                 [](const motion::FootSkate& s) { return 100.0 * s.speed_m_s; }));
     std::string names;
     double excess = 0.0;
@@ -120,7 +120,7 @@ Entries entries(const NamedClip& clip, const motion::PointingMeasures& m) {
                 {"hold_s", m.hold_s},
                 {"time_to_peak_s", m.time_to_peak_s},
                 {"time_to_peak_speed_s", m.time_to_peak_speed_s},
-                {"peak_speed_mps", m.peak_speed_m_s}};
+                {"peak_speed_m_s", m.peak_speed_m_s}};
     // What only the detection tells.
     const auto detected = [&](const char* name, auto motion::DetectedGesture::*field) {
         out.push_back(optionalEntry(name, m.detected, [&](const auto& d) { return d.*field; }));
@@ -128,14 +128,14 @@ Entries entries(const NamedClip& clip, const motion::PointingMeasures& m) {
     detected("clear_hold", &motion::DetectedGesture::clear_hold);
     detected("returns", &motion::DetectedGesture::returns);
     detected("strokes", &motion::DetectedGesture::strokes);
-    out.push_back(optionalEntry("fingertip_drift_cmps", m.fingertip,
+    out.push_back(optionalEntry("fingertip_drift_cm_s", m.fingertip,
                                 [](const auto& s) { return 100.0 * s.drift_per_s; }));
     out.push_back(optionalEntry("fingertip_jitter_cm", m.fingertip,
                                 [](const auto& s) { return 100.0 * s.jitter_rms; }));
     out.push_back(optionalEntry("log_dimensionless_jerk", m.log_dimensionless_jerk));
     out.push_back(optionalEntry("sparc", m.spectral_arc_length));
     out.push_back(optionalEntry("reward", m.reward));
-    out.push_back(optionalEntry("greatest_reward", m.max_reward));
+    out.push_back(optionalEntry("max_reward", m.max_reward));
     for (const motion::PointingRay kind : motion::all_pointing_rays)
         addRay(out, kind, m.rays[static_cast<std::size_t>(kind)]);
     addBody(out, m);

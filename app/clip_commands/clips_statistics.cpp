@@ -217,7 +217,7 @@ Json asJson(const Found& found, const ClipsStatisticsArguments& options) {
     const auto name = [](std::size_t d) {
         return std::string(motion::derivativeName(static_cast<motion::Derivative>(d)));
     };
-    const char* const units[] = {"_mps", "_mps2", "_mps3"};
+    const char* const units[] = {"_m_s", "_m_s2", "_m_s3"};
     for (std::size_t d = 0; d < motion::derivative_count; ++d)
         out["average"][name(d) + units[d]] = {{"mean", found.movement.average[d].mean},
                                               {"sd", found.movement.average[d].sd}};

@@ -17,7 +17,7 @@ namespace {
 
 using torch::Tensor;
 
-constexpr double least_sd = 0.05;
+constexpr double min_sd = 0.05;
 constexpr double least_change_sd = 0.003;
 constexpr double largest_style = 9.21;  ///< -ln 1e-4
 constexpr double max_gradient_norm = 1.0;
@@ -125,9 +125,9 @@ void AmpTrainer::setCloned(const physics::Body& body, const std::vector<Referenc
     clone_seen_ = tensorOf(std::move(seen), static_cast<std::int64_t>(environments_.seenSize()));
     clone_action_ = tensorOf(std::move(action), actions_);
     seen_mean_ = clone_seen_.mean(0);
-    seen_sd_ = clone_seen_.std(0).clamp_min(least_sd);
+    seen_sd_ = clone_seen_.std(0).clamp_min(min_sd);
     action_mean_ = clone_action_.mean(0);
-    action_sd_ = clone_action_.std(0).clamp_min(least_sd);
+    action_sd_ = clone_action_.std(0).clamp_min(min_sd);
 }
 
 void AmpTrainer::average(double share) {

@@ -33,7 +33,7 @@ std::vector<double> FeatureScale::standardised(const std::vector<double>& featur
 }
 
 FeatureScale scaleOf(const std::vector<Demonstration>& demonstrations, const motion::PoseFeatures& features) {
-    constexpr double least_sd = 0.01;
+    constexpr double min_sd = 0.01;
     FeatureScale out{std::vector<double>(features.size(), 0.0), std::vector<double>(features.size(), 0.0)};
     std::vector<double> squares(features.size(), 0.0);
     double count = 0.0;
@@ -48,7 +48,7 @@ FeatureScale scaleOf(const std::vector<Demonstration>& demonstrations, const mot
     for (std::size_t d = 0; d < out.mean.size(); ++d) {
         out.mean[d] /= count;
         const double variance = squares[d] / count - out.mean[d] * out.mean[d];
-        out.sd[d] = std::max(least_sd, std::sqrt(std::max(0.0, variance)));
+        out.sd[d] = std::max(min_sd, std::sqrt(std::max(0.0, variance)));
     }
     return out;
 }

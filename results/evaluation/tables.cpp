@@ -25,8 +25,8 @@ Json summaryJson(const std::vector<double>& values) {
             {"median", orNull(any, quantile(values, 0.5))},
             {"q1", orNull(any, quantile(values, 0.25))},
             {"q3", orNull(any, quantile(values, 0.75))},
-            {"least", orNull(any, quantile(values, 0.0))},
-            {"greatest", orNull(any, quantile(values, 1.0))}};
+            {"min", orNull(any, quantile(values, 0.0))},
+            {"max", orNull(any, quantile(values, 1.0))}};
 }
 
 /// A system's hand at one step of time.

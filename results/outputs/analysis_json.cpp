@@ -146,7 +146,7 @@ Json qualityJson(const AnalysisResult& result) {
              {{"same_rating_share", jsonOf(rule.same_rating_share)},
               {"one_side_share", jsonOf(rule.one_side_share)},
               {"median_time_below_s", jsonOf(rule.median_time_below_s)},
-              {"least_answers", studies::LeaveOutRule::min_answers}}},
+              {"min_answers", studies::LeaveOutRule::min_answers}}},
             {"reliability", tableJson(tables::reliability(result))},
             {"participants", tableJson(tables::quality(result))}};
 }

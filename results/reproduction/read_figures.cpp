@@ -119,8 +119,8 @@ Result<std::vector<DemonstrationFigures>> readDemonstrationFigures(const std::fi
     const auto sheet = parseCsvSheet(*text, file.string());
     if (!sheet) return tl::unexpected(sheet.error());
     const std::string hint = "Expected the table that 'deixis clips measure ... --csv' prints";
-    const auto hand = sheet->column("hand", hint), reward = sheet->column("greatest_reward", hint),
-               speed = sheet->column("peak_speed_mps", hint);
+    const auto hand = sheet->column("hand", hint), reward = sheet->column("max_reward", hint),
+               speed = sheet->column("peak_speed_m_s", hint);
     for (const auto* column : {&hand, &reward, &speed})
         if (!*column) return tl::unexpected(column->error());
     std::vector<DemonstrationFigures> out;

@@ -142,7 +142,7 @@ TEST_SUITE("app/clips-motion") {
         CHECK(nlohmann::json::parse(aimed.out)[0]["eye-fingertip_error_deg"].get<double>() < 1.0);
         const auto plain = program("clips measure " + clip);
         CHECK(plain.status == 0);
-        CHECK(plain.out.find("peak_speed_mps") != std::string::npos);
+        CHECK(plain.out.find("peak_speed_m_s") != std::string::npos);
         CHECK(plain.out.find("error_deg") == std::string::npos);
     }
 

@@ -87,7 +87,7 @@ TEST_SUITE("app/several_clips") {
         const std::string responses = lab.read("data/responses.csv");
         CHECK(CsvTable(responses).has({{"clip", "1"}, {"author", "A11"}, {"author_trial", "2"}}));
         for (const auto& trial : CsvTable(lab.read("data/trials.csv")).having({{"kind", "referential-game"}}))
-            CHECK_FALSE(trial.at("least_angle_avatar_deg").empty());
+            CHECK_FALSE(trial.at("min_angle_avatar_deg").empty());
         // The report reads each choice's own arm, and a replay shows it.
         const auto report = program("report " + lab.path("study.sqlite") + " -o " + lab.path("r.html") +
                                     " --json " + lab.path("a.json"));

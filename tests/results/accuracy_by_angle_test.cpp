@@ -130,9 +130,9 @@ TEST_SUITE("results/accuracy_by_angle") {
             CHECK(
                 nlohmann::json::parse(trials.cell(2, "angles")) ==
                 nlohmann::json{{"avatar", {7.5, 4.25}}, {"headset", {3.5, 9.0}}, {"desktop", {12.5, 2.25}}});
-            CHECK(trials.cell(2, "least_angle_avatar_deg") == "4.25");
-            CHECK(trials.cell(2, "least_angle_headset_deg") == "3.5");
-            CHECK(trials.cell(2, "least_angle_desktop_deg") == "2.25");
+            CHECK(trials.cell(2, "min_angle_avatar_deg") == "4.25");
+            CHECK(trials.cell(2, "min_angle_headset_deg") == "3.5");
+            CHECK(trials.cell(2, "min_angle_desktop_deg") == "2.25");
             const tests::CsvTable responses(readFile((folder / "") / (station + "/responses.csv")).value());
             CHECK(responses.has({{"clip", "0"}, {"author", "A07"}, {"author_trial", "2"}}));
         }

@@ -264,12 +264,12 @@ TEST_SUITE("results/export") {
         REQUIRE(exportCsv(folder / "a.sqlite", folder / "out", {}));
         const tests::CsvTable trials = tableOf(folder / "out/trials.csv");
         CHECK(trials.cell(2, "visibility").empty());
-        CHECK(trials.cell(2, "least_seen_headset").empty());
+        CHECK(trials.cell(2, "min_seen_headset").empty());
         CHECK(trials.cell(3, "visibility") ==
               R"({"headset":{"at_rest":[1.0,0.957,1.0],"pointing":[1.0,1.0,0.942]},)"
               R"("desktop":{"at_rest":[1.0,0.3,1.0],"pointing":[0.9,1.0,1.0]}})");
-        CHECK(trials.cell(3, "least_seen_headset") == "0.942");
-        CHECK(trials.cell(3, "least_seen_desktop") == "0.3");
+        CHECK(trials.cell(3, "min_seen_headset") == "0.942");
+        CHECK(trials.cell(3, "min_seen_desktop") == "0.3");
         const tests::CsvTable responses = tableOf(folder / "out/responses.csv");
         REQUIRE(responses.rows.size() == 2);
         CHECK(responses.cell(1, "viewer_x_m") == "0.75");

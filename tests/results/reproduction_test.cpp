@@ -225,8 +225,8 @@ TEST_SUITE("results/reproduction") {
         REQUIRE(writeFile(file, "clip,hand\na,left\n"));
         const auto table = readDemonstrationFigures(file);
         REQUIRE_FALSE(table);
-        CHECK(contains(table.error().text(), "greatest_reward"));
-        REQUIRE(writeFile(file, "hand,greatest_reward,peak_speed_mps\nleft,high,1\n"));
+        CHECK(contains(table.error().text(), "max_reward"));
+        REQUIRE(writeFile(file, "hand,max_reward,peak_speed_m_s\nleft,high,1\n"));
         const auto number = readDemonstrationFigures(file);
         REQUIRE_FALSE(number);
         CHECK(contains(number.error().text(), "some.json:2"));
