@@ -19,7 +19,7 @@ for system in "${systems[@]}"; do
     : >"$work/films" && rm -f "$work"/*.png
     # Every tenth target.
     awk -F, 'NR > 1 && NR % 10 == 2 {print $1, $2, $3, $4}' "$work/targets.csv" | while read -r id x y z; do
-        shot=(view --system "$system" --target "$x" "$y" "$z" --size 480x480 --force)
+        shot=(view --system "$system" --target "$x" "$y" "$z" --size 720x400 --force)
         "$deixis" "${shot[@]}" --mp4 "$work/$id.mp4" </dev/null >/dev/null
         "$deixis" "${shot[@]}" --screenshot "$work/$id.png" </dev/null >/dev/null
         echo "file '$work/$id.mp4'" >>"$work/films"

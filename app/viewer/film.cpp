@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
+#include "app/program/progress_line.hpp"
 #include "core/staging.hpp"
 
 namespace deixis::app {
@@ -39,12 +41,14 @@ Result<void> writeFilm(const std::string& mp4_file, WindowSize size, double fram
     if (ffmpeg == nullptr) return fail("--mp4", "ffmpeg cannot be started");
     // Where ffmpeg ends early, writing to it fails, and it has said why.
     const auto otherwise = std::signal(SIGPIPE, SIG_IGN);
+    auto drawing = std::make_optional<ElapsedOnTerminal>("drawing");
     const auto frames = draw([&](const renderer::Image& image) -> Result<void> {
         if (std::fwrite(image.rgb.data(), 1, image.rgb.size(), ffmpeg) != image.rgb.size())
             return fail(mp4_file, "ffmpeg stopped taking frames");
         return {};
     });
     const int status = pclose(ffmpeg);
+    drawing.reset();
     (void)std::signal(SIGPIPE, otherwise);
     if (status != 0) return fail(mp4_file, "ffmpeg could not write the film; see its message above");
     if (!frames) return tl::unexpected(frames.error());

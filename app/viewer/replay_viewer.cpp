@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "app/program/progress_line.hpp"
 #include "app/window/gl_window.hpp"
 #include "app/window/window_gui.hpp"
 #include "core/staging.hpp"
@@ -99,10 +101,12 @@ Result<void> writePictures(const Show& show, const assets::Avatar& avatar, const
     auto staging = Staging::within(options.png_folder);
     if (!staging) return tl::unexpected(staging.error());
     std::vector<fs::path> names;
+    auto drawing = std::make_optional<ElapsedOnTerminal>("drawing");
     const auto frames = drawAll(show, avatar, options, size, [&](const renderer::Image& image) {
         names.emplace_back(fmt::format("frame_{:05}.png", names.size() + 1));
         return renderer::writePng(staging->path() / names.back(), image);
     });
+    drawing.reset();
     if (!frames) return tl::unexpected(frames.error());
     if (auto moved = staging->moveHome(names, framesIn(options.png_folder), false); !moved) return moved;
     fmt::print("{} frames: {}\n", *frames, options.png_folder);
