@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <torch/csrc/distributed/c10d/ProcessGroupGloo.hpp>
 #include <torch/csrc/distributed/c10d/TCPStore.hpp>
 
@@ -49,7 +50,11 @@ Result<std::shared_ptr<Ranks>> Ranks::join(const std::optional<RankPlace>& place
         gloo_options->threads = 1;
         // A rank is as slow as its longest pause: rank 0 generates clips while the others wait.
         gloo_options->timeout = std::chrono::minutes(30);
-        gloo_options->devices.push_back(c10d::ProcessGroupGloo::createDefaultDevice());
+        // As PyTorch does: where a PC's name is its loopback's, other machines do not find it by that.
+        const char* const network = std::getenv("GLOO_SOCKET_IFNAME");
+        gloo_options->devices.push_back(network == nullptr || *network == '\0'
+                                            ? c10d::ProcessGroupGloo::createDefaultDevice()
+                                            : c10d::ProcessGroupGloo::createDeviceForInterface(network));
         out->group_ = std::make_unique<Group>();
         out->group_->gloo =
             c10::make_intrusive<c10d::ProcessGroupGloo>(store, place->rank, place->count, gloo_options);

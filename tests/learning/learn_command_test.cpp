@@ -106,7 +106,9 @@ TEST_SUITE("learning/command") {
         const std::string weights = scratch / "w", port = std::to_string(20000 + getpid() % 20000),
                           command = " " + programFile() + " learn amp-base" + demonstrations(scratch) +
                                     " -o " + weights + " --updates 1 --validate-every 1",
-                          place = "env WORLD_SIZE=2 MASTER_ADDR=127.0.0.1 MASTER_PORT=" + port;
+                          place =
+                              "env GLOO_SOCKET_IFNAME=lo WORLD_SIZE=2 MASTER_ADDR=127.0.0.1 MASTER_PORT=" +
+                              port;
         Background second(place + " RANK=1" + command + " >" + (scratch / "second") + " 2>&1");
         const auto first = shell(place + " RANK=0" + command);
         CHECK_MESSAGE(first.status == 0, first.err);
