@@ -311,7 +311,7 @@ std::string evaluationJson(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     Json out;
     out["format"] = "deixis-evaluation";
-    out["version"] = 1;
+    out["version"] = 2;
     out["program"] = input.program;
     out["build"] = Json::object();
     for (const auto& [name, value] : input.build) out["build"][name] = value;

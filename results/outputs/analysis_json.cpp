@@ -185,7 +185,7 @@ void addProvenance(Json& out, const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     Json build = Json::object();
     for (const auto& [name, value] : result.options.build) build[name] = value;
-    out["schema"] = {{"name", "deixis-analysis"}, {"version", 4}};
+    out["schema"] = {{"name", "deixis-analysis"}, {"version", 5}};
     out["program"] = {{"name", "deixis"},
                       {"analysed_by", result.options.program},
                       {"build", build},

@@ -73,7 +73,7 @@ TEST_SUITE("app/report_data") {
 
         CHECK(schemaProblems("analysis", scratch / "first.json") == "");
         const json out = json::parse(slurp(scratch / "first.json"));
-        CHECK(out["schema"]["version"] == 4);
+        CHECK(out["schema"]["version"] == 5);
         CHECK(out["participants"] == 12);
         CHECK(out["data"]["files"] == "lab.csv");
         CHECK(out["alpha"] == 0.01);
@@ -140,7 +140,7 @@ TEST_SUITE("app/report_data") {
         INFO(done.err);
         REQUIRE(done.status == 0);
         const json out = json::parse(slurp(scratch / "a.json"));
-        CHECK(out["schema"]["version"] == 4);
+        CHECK(out["schema"]["version"] == 5);
         const json& pair = out["sensitivity"]["pairs"][0];
         CHECK(pair["headline"]["p_holm"] == 2.0 / 256.0);        // all of 8 differences positive
         CHECK(pair["with_left_out"]["p_holm"] == 66.0 / 512.0);  // rank 9 negative: 33 of 512 patterns, twice

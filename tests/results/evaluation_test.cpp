@@ -160,7 +160,7 @@ TEST_SUITE("results/evaluation") {
         const Evaluation evaluation = evaluated(small());
         const auto json = nlohmann::json::parse(evaluationJson(evaluation));
         CHECK(json["format"] == "deixis-evaluation");
-        CHECK(json["version"] == 1);
+        CHECK(json["version"] == 2);
         CHECK(json["systems"][1]["missing"] == 1);
         CHECK(json["systems"][0]["accuracy"]["mean"].get<double>() == doctest::Approx(0.53));
         CHECK(json["systems"][0]["density_correlation"]["method"] == "exact");

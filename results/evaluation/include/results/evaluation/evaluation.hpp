@@ -178,7 +178,7 @@ struct Evaluation {
 /// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same
 /// evaluation gives the same bytes.
 [[nodiscard]] std::string renderEvaluation(const Evaluation& evaluation);
-/// One JSON object, "format": "deixis-evaluation", "version": 1; documented in docs/evaluation.md.
+/// One JSON object, "format": "deixis-evaluation", "version": 2; documented in docs/evaluation.md.
 [[nodiscard]] std::string evaluationJson(const Evaluation& evaluation);
 /// File names and contents: clips.csv, systems.csv, comparisons.csv, profiles.csv, targets.csv, clusters.csv,
 /// rays.csv; of a study's games observers.csv.
