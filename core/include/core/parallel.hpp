@@ -73,8 +73,7 @@ void takeInTurn(std::size_t count, unsigned threads, const WorkerOf& workerOf, c
         pool.reserve(at_work);
         for (unsigned i = 0; i < std::max(1U, threads); ++i) pool.emplace_back(run, i);
         std::unique_lock lock(mutex);
-        while (at_work > 0) {
-            one_ended.wait_for(lock, std::chrono::milliseconds(100));
+        while (!one_ended.wait_for(lock, std::chrono::milliseconds(100), [&] { return at_work == 0; })) {
             lock.unlock();
             if (const std::size_t so_far = done; so_far < count) progress(so_far, count);
             lock.lock();
