@@ -5,7 +5,7 @@
 # (DEIXIS; else build/release/deixis).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-out=$1
+out=${1:?names no folder; see above in scripts/films.sh}
 shift
 systems=("$@")
 [ ${#systems[@]} -gt 0 ] ||
@@ -16,7 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$deixis" targets pointing2023 >"$work/targets.csv" 2>"$work/said"
 for system in "${systems[@]}"; do
-    : >"$work/films" && rm -f "$work"/*.png
+    rm -f "$work"/films "$work"/*.png
     # Every tenth target.
     awk -F, 'NR > 1 && NR % 10 == 2 {print $1, $2, $3, $4}' "$work/targets.csv" | while read -r id x y z; do
         shot=(view --system "$system" --target "$x" "$y" "$z" --size 720x400 --force)

@@ -57,7 +57,8 @@ run_preset() { build "$1" && run_tests "$1"; }
 long_suites='^app/(evaluate|fit|locked_study|power|report_observers|report_r|report_studies|simulate|stats_oracles|study_commands)$'
 check_installed() {
     cmake --install build/release --prefix $logs/installed >/dev/null || return 1
-    $logs/installed/bin/deixis learn flow --updates 1 --force -o $logs/flow.weights || return 1
+    # The trainers start, and find no such part.
+    { $logs/installed/bin/deixis learn join none -o $logs/none 2>&1 || true; } | grep "none: cannot be opened" || return 1
     ! grep -aoE "$PWD/(app|assets|build|core|learning|motion|physics|renderer|results|studies)[ -~]*" $logs/installed/bin/*
 }
 check_browser_code() {

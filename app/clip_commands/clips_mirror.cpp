@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "app/clips/clip_files.hpp"
 #include "app/clips/clip_output.hpp"
@@ -64,10 +65,8 @@ Result<void> mirrorManifest(const ClipsMirrorArguments& options) {
     if (auto free = folder.expect(names); !free) return free;
     std::map<std::string, fs::path> done;  // by the source's name
     std::vector<assets::ManifestRow> rows = manifest->rows;
-    const Progress progress = progressOnTerminal("mirroring");
-    std::size_t so_far = 0;
+    auto working = std::make_optional<ElapsedOnTerminal>("mirroring");
     for (assets::ManifestRow& row : rows) {
-        progress(so_far++, rows.size());
         const auto [image, is_new] = done.emplace(row.clip, imageFile(row.clip));
         if (is_new) {
             const auto source = readMappedClip(home / row.clip, options.import);
@@ -81,7 +80,7 @@ Result<void> mirrorManifest(const ClipsMirrorArguments& options) {
         if (row.target) row.target = motion::mirrored(*row.target);
         if (row.phases) row.phases->hand = motion::opposite(row.phases->hand);
     }
-    if (!rows.empty()) progress(rows.size(), rows.size());
+    working.reset();
     if (auto added = folder.add("manifest.csv", assets::manifestCsv(rows)); !added) return added;
     if (auto finished = folder.finish(); !finished) return finished;
     fmt::print("{} rows mirrored: {}\n", rows.size(), (fs::path(options.out) / "manifest.csv").string());

@@ -47,9 +47,7 @@ Result<void> view(const ViewArguments& options) {
         const auto system = makeSystem(options.system, options.weights, avatar->skeleton);
         if (!system) return tl::unexpected(system.error());
         const auto& at = options.target_m;
-        return viewSystem(*system->generator, *avatar,
-                          {options.view.size, options.view.screenshot, options.view.mp4_file,
-                           options.view.times_s, options.view.from, Vec3(at[0], at[1], at[2])});
+        return viewSystem(*system->generator, *avatar, Vec3(at[0], at[1], at[2]), options.view);
     }
     const auto file = assets::importClip(options.file, options.import);
     if (!file) return tl::unexpected(file.error());

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/window/window_gui.hpp"
-#include "film.hpp"
+#include "frames.hpp"
 #include "orbit.hpp"
 #include "renderer/drawing/renderer.hpp"
 

@@ -15,6 +15,7 @@
 
 #include "app/window/pressed_keys.hpp"
 #include "core/room.hpp"
+#include "frames.hpp"
 #include "motion/skeleton/kinematics.hpp"
 #include "renderer/drawing/renderer.hpp"
 
@@ -93,21 +94,23 @@ renderer::Scene sceneAround(const assets::Avatar& avatar, const motion::LocalPos
 Result<void> writeStrip(const std::string& file, const assets::Avatar& avatar, WindowSize size,
                         const std::vector<double>& times_s,
                         const std::function<renderer::Scene(double)>& scene_at) {
-    auto context = renderer::OffscreenContext::create();
-    if (!context) return tl::unexpected(context.error());
-    auto renderer = renderer::Renderer::create(avatar, {});
-    if (!renderer) return tl::unexpected(renderer.error());
+    const int count = static_cast<int>(times_s.size());
     renderer::Image strip;
-    strip.width = size.width * static_cast<int>(times_s.size());
+    strip.width = size.width * count;
     strip.height = size.height;
-    strip.rgb.resize(static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height) * 3);
-    for (std::size_t i = 0; i < times_s.size(); ++i) {
-        const renderer::Image one = renderer->capture(scene_at(times_s[i]), size.width, size.height);
-        const auto row = static_cast<std::size_t>(size.width) * 3;
-        for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
-            std::copy_n(one.rgb.begin() + static_cast<std::ptrdiff_t>(y * row), row,
-                        strip.rgb.begin() + static_cast<std::ptrdiff_t>((y * times_s.size() + i) * row));
-    }
+    const auto row = static_cast<std::size_t>(size.width) * 3;
+    strip.rgb.resize(row * times_s.size() * static_cast<std::size_t>(size.height));
+    std::size_t i = 0;
+    const auto drawn = drawFrames(
+        avatar, size, count, [&](int frame) { return scene_at(times_s[static_cast<std::size_t>(frame)]); },
+        [&](const renderer::Image& one) -> Result<void> {
+            for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
+                std::copy_n(one.rgb.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                            strip.rgb.begin() + static_cast<std::ptrdiff_t>((y * times_s.size() + i) * row));
+            ++i;
+            return {};
+        });
+    if (!drawn) return drawn;
     return renderer::writePng(file, strip);
 }
 

@@ -9,14 +9,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <vector>
 
-#include "app/program/progress_line.hpp"
 #include "app/window/gl_window.hpp"
 #include "app/window/window_gui.hpp"
 #include "core/staging.hpp"
-#include "film.hpp"
+#include "frames.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "orbit.hpp"
 #include "renderer/drawing/renderer.hpp"
@@ -64,25 +62,20 @@ class Show {
     std::vector<studies::TrialReplay> replays_;
 };
 
-// Each frame of each answer, off screen.
-Result<int> drawAll(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
-                    WindowSize size, const TakeImage& take) {
-    auto context = renderer::OffscreenContext::create();
-    if (!context) return tl::unexpected(context.error());
-    auto renderer = renderer::Renderer::create(avatar, {});
-    if (!renderer) return tl::unexpected(renderer.error());
-    int frames = 0;
+/// When each frame of each answer is.
+struct Frame {
+    std::size_t trial;
+    double time_s;
+};
+
+std::vector<Frame> framesOf(const Show& show, const ReplayOptions& options) {
+    const double step_s = options.speed / options.frames_per_s;
+    std::vector<Frame> out;
     for (std::size_t i = 0; i < show.count(); ++i) {
-        const double step_s = options.speed / options.frames_per_s;
         const int count = static_cast<int>(std::floor(show.length_s(i) / step_s)) + 1;
-        for (int k = 0; k < count; ++k, ++frames) {
-            const renderer::Scene scene =
-                show.scene(i, k * step_s, options.view == "third", OutsideView{}, options.trail_s);
-            if (auto taken = take(renderer->capture(scene, size.width, size.height)); !taken)
-                return tl::unexpected(taken.error());
-        }
+        for (int k = 0; k < count; ++k) out.push_back({i, k * step_s});
     }
-    return frames;
+    return out;
 }
 
 /// Pictures of an earlier replay, by their names.
@@ -96,21 +89,29 @@ std::vector<fs::path> framesIn(const fs::path& folder) {
     return out;
 }
 
-Result<void> writePictures(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
-                           WindowSize size) {
-    auto staging = Staging::within(options.png_folder);
-    if (!staging) return tl::unexpected(staging.error());
-    std::vector<fs::path> names;
-    auto drawing = std::make_optional<ElapsedOnTerminal>("drawing");
-    const auto frames = drawAll(show, avatar, options, size, [&](const renderer::Image& image) {
-        names.emplace_back(fmt::format("frame_{:05}.png", names.size() + 1));
-        return renderer::writePng(staging->path() / names.back(), image);
-    });
-    drawing.reset();
-    if (!frames) return tl::unexpected(frames.error());
-    if (auto moved = staging->moveHome(names, framesIn(options.png_folder), false); !moved) return moved;
-    fmt::print("{} frames: {}\n", *frames, options.png_folder);
-    return {};
+/// Of all frames, as pictures or as a film.
+Result<void> write(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
+                   WindowSize size) {
+    const std::vector<Frame> frames = framesOf(show, options);
+    const int count = static_cast<int>(frames.size());
+    const SceneOf scene_of = [&](int number) {
+        const Frame& frame = frames[static_cast<std::size_t>(number)];
+        return show.scene(frame.trial, frame.time_s, options.view == "third", OutsideView{}, options.trail_s);
+    };
+    if (!options.png_folder.empty()) {
+        auto staging = Staging::within(options.png_folder);
+        if (!staging) return tl::unexpected(staging.error());
+        std::vector<fs::path> names;
+        const auto drawn = drawFrames(avatar, size, count, scene_of, [&](const renderer::Image& image) {
+            names.emplace_back(fmt::format("frame_{:05}.png", names.size() + 1));
+            return renderer::writePng(staging->path() / names.back(), image);
+        });
+        if (!drawn) return drawn;
+        if (auto moved = staging->moveHome(names, framesIn(options.png_folder), false); !moved) return moved;
+        fmt::print("{} frames: {}\n", count, options.png_folder);
+    }
+    if (options.mp4_file.empty()) return {};
+    return writeFilm(options.mp4_file, options.frames_per_s, avatar, size, count, scene_of);
 }
 
 // The window's controls.
@@ -242,15 +243,7 @@ Result<void> showReplay(const results::Recording& recording, const studies::Clip
     const auto size = parseWindowSize(options.size);
     if (!size) return tl::unexpected(size.error());
     const Show show(recording, clips, avatar);
-    if (!options.png_folder.empty())
-        if (auto written = writePictures(show, avatar, options, *size); !written) return written;
-    if (!options.mp4_file.empty())
-        if (auto written =
-                writeFilm(options.mp4_file, *size, options.frames_per_s,
-                          [&](const TakeImage& take) { return drawAll(show, avatar, options, *size, take); });
-            !written)
-            return written;
-    if (!options.png_folder.empty() || !options.mp4_file.empty()) return {};
+    if (!options.png_folder.empty() || !options.mp4_file.empty()) return write(show, avatar, options, *size);
     const std::string title =
         fmt::format("Deixis replay - {} - {}", recording.study_title, recording.participant);
     return showInWindow(title, *size, avatar, [&](GLFWwindow* window) {

@@ -12,7 +12,7 @@
 #include "app/window/picture_point.hpp"
 #include "app/window/window_gui.hpp"
 #include "core/room.hpp"
-#include "film.hpp"
+#include "frames.hpp"
 #include "motion/pointing/accuracy.hpp"
 #include "motion/pointing/phases.hpp"
 #include "motion/pointing/rays.hpp"
@@ -31,14 +31,14 @@ constexpr double pause_s = 0.7;  ///< between two performances
 /// The system's clip for where the ball is.
 class Performance {
   public:
-    Performance(const motion::Generator& system, std::uint64_t seed, const Vec3& target_m)
-        : system_(system), seed_(seed) {
+    Performance(const motion::Generator& system, const Vec3& target_m) : system_(system) {
         pointAt(target_m);
     }
 
     void pointAt(const Vec3& target_m) {
         target_m_ = target_m;
-        made_ = system_.generate({"", target_m, seed_, {}});
+        constexpr std::uint64_t seed = 1;
+        made_ = system_.generate({"", target_m, seed, {}});
         const auto map = motion::mapByVrmNames(made_.clip.skeleton);
         const auto world = motion::worldPoses(made_.clip);
         const Ray ray =
@@ -65,7 +65,6 @@ class Performance {
     [[nodiscard]] int middle() const { return (made_.peak_frame + made_.hold_frame) / 2; }
 
     const motion::Generator& system_;
-    std::uint64_t seed_;
     Vec3 target_m_{0.0};
     motion::GeneratedClip made_;
     double forearm_error_rad_ = 0.0;
@@ -242,18 +241,17 @@ Result<void> window(Performance performance, const motion::Generator& system, co
 
 }  // namespace
 
-Result<void> viewSystem(const motion::Generator& system, const assets::Avatar& avatar,
-                        const SystemViewOptions& options) {
+Result<void> viewSystem(const motion::Generator& system, const assets::Avatar& avatar, const Vec3& target_m,
+                        const ViewOptions& options) {
     const auto size = parseWindowSize(options.size);
     if (!size) return tl::unexpected(size.error());
     const auto orbit = orbitFrom(options.from);
     if (!orbit) return tl::unexpected(orbit.error());
-    Performance performance(system, options.seed, keptInRoom(options.target_m));
+    Performance performance(system, keptInRoom(target_m));
     motion::LocalPose pose;
     const auto scene_at = [&](double time_s) { return sceneOf(performance, time_s, avatar, *orbit, pose); };
-    if (!options.mp4_file.empty()) {
+    if (!options.mp4_file.empty())
         return writeFilm(options.mp4_file, avatar, *size, performance.clip().duration_s(), scene_at);
-    }
     if (options.screenshot.empty()) return window(std::move(performance), system, avatar, *orbit, *size);
     const std::vector<double> times =
         options.times_s.empty() ? std::vector<double>{performance.holdTime_s()} : options.times_s;

@@ -1,5 +1,4 @@
 #include "gltf_tracks.hpp"
-#include "core/order_statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <set>
+
+#include "core/order_statistics.hpp"
 
 namespace deixis::assets::gltf {
 

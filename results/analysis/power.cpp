@@ -185,7 +185,6 @@ struct PowerAnalysis::Impl {
             ++family->tests;
         });
     }
-    /// Draws the studies that `next` hands out, and counts what each finds, for each number of participants.
     /// Simulates studies one after another, each analysed for all sizes, and counts what is found.
     class Worker {
       public:

@@ -1,11 +1,12 @@
 #include "results/statistics/mean_shift.hpp"
-#include "core/order_statistics.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+
+#include "core/order_statistics.hpp"
 
 namespace deixis::results {
 

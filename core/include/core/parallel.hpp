@@ -69,17 +69,15 @@ void takeInTurn(std::size_t count, unsigned threads, const WorkerOf& workerOf, c
         one_ended.notify_one();
     };
     {
-        std::vector<std::thread> pool;
-        pool.reserve(at_work);
-        for (unsigned i = 0; i < std::max(1U, threads); ++i) pool.emplace_back(run, i);
+        std::vector<std::jthread> pool;
+        const unsigned all = at_work;
+        for (unsigned i = 0; i < all; ++i) pool.emplace_back(run, i);
         std::unique_lock lock(mutex);
         while (!one_ended.wait_for(lock, std::chrono::milliseconds(100), [&] { return at_work == 0; })) {
             lock.unlock();
             if (const std::size_t so_far = done; so_far < count) progress(so_far, count);
             lock.lock();
         }
-        lock.unlock();
-        for (std::thread& thread : pool) thread.join();
     }
     if (failure) std::rethrow_exception(failure);
     progress(count, count);

@@ -1,4 +1,4 @@
-#include "film.hpp"
+#include "frames.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 
 #include "app/program/progress_line.hpp"
 #include "core/staging.hpp"
@@ -24,8 +23,21 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-Result<void> writeFilm(const std::string& mp4_file, WindowSize size, double frames_per_s,
-                       const std::function<Result<int>(const TakeImage&)>& draw) {
+Result<void> drawFrames(const assets::Avatar& avatar, WindowSize size, int count, const SceneOf& scene_of,
+                        const TakeImage& take) {
+    const ElapsedOnTerminal told("drawing");
+    auto context = renderer::OffscreenContext::create();
+    if (!context) return tl::unexpected(context.error());
+    auto renderer = renderer::Renderer::create(avatar, {});
+    if (!renderer) return tl::unexpected(renderer.error());
+    for (int frame = 0; frame < count; ++frame)
+        if (auto taken = take(renderer->capture(scene_of(frame), size.width, size.height)); !taken)
+            return taken;
+    return {};
+}
+
+Result<void> writeFilm(const std::string& mp4_file, double frames_per_s, const assets::Avatar& avatar,
+                       WindowSize size, int count, const SceneOf& scene_of) {
     if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
         return fail("--mp4", "ffmpeg, which makes the film, is not installed",
                     "Install it (Debian: apt install ffmpeg), or write pictures instead");
@@ -41,37 +53,27 @@ Result<void> writeFilm(const std::string& mp4_file, WindowSize size, double fram
     if (ffmpeg == nullptr) return fail("--mp4", "ffmpeg cannot be started");
     // Where ffmpeg ends early, writing to it fails, and it has said why.
     const auto otherwise = std::signal(SIGPIPE, SIG_IGN);
-    auto drawing = std::make_optional<ElapsedOnTerminal>("drawing");
-    const auto frames = draw([&](const renderer::Image& image) -> Result<void> {
-        if (std::fwrite(image.rgb.data(), 1, image.rgb.size(), ffmpeg) != image.rgb.size())
-            return fail(mp4_file, "ffmpeg stopped taking frames");
-        return {};
-    });
+    const auto drawn =
+        drawFrames(avatar, size, count, scene_of, [&](const renderer::Image& image) -> Result<void> {
+            if (std::fwrite(image.rgb.data(), 1, image.rgb.size(), ffmpeg) != image.rgb.size())
+                return fail(mp4_file, "ffmpeg stopped taking frames");
+            return {};
+        });
     const int status = pclose(ffmpeg);
-    drawing.reset();
     (void)std::signal(SIGPIPE, otherwise);
     if (status != 0) return fail(mp4_file, "ffmpeg could not write the film; see its message above");
-    if (!frames) return tl::unexpected(frames.error());
+    if (!drawn) return drawn;
     if (auto moved = partial.finish(); !moved) return moved;
-    fmt::print("{} frames: {}\n", *frames, mp4_file);
+    fmt::print("{} frames: {}\n", count, mp4_file);
     return {};
 }
 
 Result<void> writeFilm(const std::string& mp4_file, const assets::Avatar& avatar, WindowSize size,
-                       double end_s, const std::function<renderer::Scene(double)>& scene_at) {
+                       double duration_s, const std::function<renderer::Scene(double)>& scene_at) {
     constexpr double frames_per_s = 30.0;
-    auto context = renderer::OffscreenContext::create();
-    if (!context) return tl::unexpected(context.error());
-    auto renderer = renderer::Renderer::create(avatar, {});
-    if (!renderer) return tl::unexpected(renderer.error());
-    return writeFilm(mp4_file, size, frames_per_s, [&](const TakeImage& take) -> Result<int> {
-        const int count = static_cast<int>(std::floor(end_s * frames_per_s + 1e-6)) + 1;
-        for (int k = 0; k < count; ++k)
-            if (auto taken = take(renderer->capture(scene_at(k / frames_per_s), size.width, size.height));
-                !taken)
-                return tl::unexpected(taken.error());
-        return count;
-    });
+    const int count = static_cast<int>(std::floor(duration_s * frames_per_s + 1e-6)) + 1;
+    return writeFilm(mp4_file, frames_per_s, avatar, size, count,
+                     [&](int frame) { return scene_at(frame / frames_per_s); });
 }
 
 }  // namespace deixis::app
