@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results/database/counted_participants.hpp"
+#include "results/database/game_values.hpp"
 
 namespace deixis::results {
 
@@ -91,13 +92,6 @@ void readParticipants(SQLite::Database& database, const std::string& people, Res
                   [&](const ResponseRow& row) { return declined.contains(row.participant); });
 }
 
-std::vector<Vec3> positionsOf(const std::string& text) {
-    std::vector<Vec3> out;
-    for (const json& one : json::parse(text))
-        out.emplace_back(one.at(0).get<double>(), one.at(1).get<double>(), one.at(2).get<double>());
-    return out;
-}
-
 double smallestOf(const json& angles) {
     const auto all = angles.get<std::vector<double>>();
     return *std::min_element(all.begin(), all.end());
@@ -107,20 +101,15 @@ void readBalls(SQLite::Database& database, const std::string& people, ResponseTa
     Statement rows(
         database,
         fmt::format(
-            "SELECT r.participant, s.system, t.target_id, b.text, g.value, h.value, "
+            "SELECT r.participant, s.system, t.target_id, g.balls, g.target_place, h.chosen_place, "
             "r.head_x_m, r.head_z_m, CASE WHEN e.synthetic THEN 'simulated' ELSE e.station END, t.angles, "
             "t.layout "
             "FROM responses AS r JOIN sessions AS e ON e.id = r.session JOIN {} AS p ON p.id = r.participant "
             "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
-            "JOIN trial_values AS b ON b.participant = r.participant AND b.trial_index = r.trial_index AND "
-            "b.name = 'balls' JOIN trial_values AS g ON g.participant = r.participant AND g.trial_index = "
-            "r.trial_index AND g.name = 'target_place' "
-            "JOIN response_values AS h ON h.response = r.id AND h.name = 'chosen_place' "
-            "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
+            "{}JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
             "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
-            "s.scored "
-            "ORDER BY r.participant, r.trial_index",
-            people));
+            "s.scored AND h.chosen_place IS NOT NULL ORDER BY r.participant, r.trial_index",
+            people, game_values));
     while (rows.executeStep()) {
         ChoiceRow& choice = table.choices.emplace_back(
             ChoiceRow{rows.getColumn(0).getString(), rows.getColumn(1).getString(),

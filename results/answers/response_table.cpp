@@ -15,6 +15,7 @@
 #include "results/answers/response_reading.hpp"
 #include "results/database/counted_participants.hpp"
 #include "results/database/database_open.hpp"
+#include "results/database/game_values.hpp"
 #include "results/database/locked_history.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
@@ -151,10 +152,10 @@ std::set<std::string> nameByScale(std::vector<StageScale>& scales) {
 std::pair<int, int> ballsIn(SQLite::Database& database, const std::string& stage) {
     Statement balls(
         database,
-        "SELECT coalesce(max(json_array_length(b.text)), 0), coalesce(min(json_array_length(b.text)), 0) "
+        "SELECT coalesce(max(json_array_length(g.balls)), 0), coalesce(min(json_array_length(g.balls)), 0) "
         "FROM "
-        "trials JOIN trial_values AS b USING (participant, trial_index) WHERE stage = ? AND b.name = 'balls' "
-        "AND check_kind IS NOT 'catch'");
+        "trials JOIN game_trials AS g USING (participant, trial_index) WHERE stage = ? AND check_kind IS NOT "
+        "'catch'");
     balls.bind(1, stage);
     balls.executeStep();
     return {balls.getColumn(0).getInt(), balls.getColumn(1).getInt()};
@@ -313,14 +314,10 @@ void readChoices(SQLite::Database& database, const std::string& people, Response
     Statement rows(
         database,
         fmt::format(
-            "SELECT {}, c.value, json_array_length(b.text), h.value IS NULL, r.status {}"
-            "JOIN trial_values AS b ON b.participant = r.participant AND b.trial_index = r.trial_index AND "
-            "b.name = 'balls' "
-            "LEFT JOIN response_values AS h ON h.response = r.id AND h.name = 'chosen_place' "
-            "LEFT JOIN response_values AS c ON c.response = r.id AND c.name = 'correct' "
+            "SELECT {}, h.correct, json_array_length(g.balls), h.chosen_place IS NULL, r.status {}{}"
             "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = r.trial_index AND "
             "s.position = 0 WHERE {} ORDER BY r.participant, r.trial_index",
-            row_columns, rowTables(people), row_counts));
+            row_columns, rowTables(people), game_values, row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "accuracy");
         row.value = rows.getColumn(next_column).getInt();

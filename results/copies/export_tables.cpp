@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "results/database/counted_participants.hpp"
+#include "results/database/views.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
@@ -173,12 +174,6 @@ ExportTable trialsTable() {
             {{"target_x_m", number, "Target in the avatar's frame", "m"}, "target_x_m"},
             {{"target_y_m", number, "", "m"}, "target_y_m"},
             {{"target_z_m", number, "", "m"}, "target_z_m"},
-            {{"balls", text, "Game: centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},
-             "(SELECT text FROM trial_values AS v WHERE v.participant = t.participant AND v.trial_index = "
-             "t.trial_index AND v.name = 'balls')"},
-            {{"target_place", whole, "Game: which of the balls is the target, from 0"},
-             "(SELECT CAST(value AS INTEGER) FROM trial_values AS v WHERE v.participant = t.participant AND "
-             "v.trial_index = t.trial_index AND v.name = 'target_place')"},
             {{"visibility", text,
               "Game: visible share of each ball's disc from the layout's places, with the avatar at rest and "
               "pointing, JSON"},
@@ -288,24 +283,35 @@ void joinColumns(SQLite::Database& database, std::vector<ExportColumn>& columns)
         });
 }
 
-/// What kinds of the study keep of a response beside, where it has no column yet.
-void keptColumns(SQLite::Database& database, std::vector<ExportColumn>& columns) {
+ColumnType typeOf(studies::KeptType type) {
+    switch (type) {
+        case studies::KeptType::whole:
+            return whole;
+        case studies::KeptType::truth:
+            return truth;
+        case studies::KeptType::number:
+            return number;
+        case studies::KeptType::text:
+            return text;
+    }
+    return text;
+}
+
+/// What kinds of the study keep, where the table has no column for it yet. `row`: SQL of which row of
+/// `values`, called v, belongs to the table's.
+void keptColumns(SQLite::Database& database, std::vector<ExportColumn>& columns,
+                 studies::KeptFields studies::StageDeclaration::*kept, const char* values, const char* row) {
     SQLite::Statement kind(database, "SELECT DISTINCT kind FROM stages ORDER BY kind");
     while (kind.executeStep()) {
         const studies::StageDeclaration* declared = studies::findDeclaration(kind.getColumn(0).getString());
         if (declared == nullptr) continue;
-        for (const studies::KeptField& field : declared->response_values.fields) {
+        for (const studies::KeptField& field : (declared->*kept).fields) {
             const std::string name(field.name);
             if (std::any_of(columns.begin(), columns.end(),
                             [&](const ExportColumn& one) { return one.spec.name == name; }))
                 continue;
-            const bool worded = field.type == studies::KeptType::text;
-            columns.push_back(
-                {{name, worded ? text : number, std::string(field.about), std::string(field.unit)},
-                 fmt::format(
-                     "(SELECT {} FROM response_values AS v WHERE v.response = f.response AND v.name = "
-                     "'{}')",
-                     worded ? "text" : "value", name)});
+            columns.push_back({{name, typeOf(field.type), std::string(field.about), std::string(field.unit)},
+                               keptValueSql(field, values, row)});
         }
     }
 }
@@ -314,8 +320,11 @@ void keptColumns(SQLite::Database& database, std::vector<ExportColumn>& columns)
 
 std::vector<ExportTable> exportTables(SQLite::Database& database) {
     std::vector<ExportTable> tables{responsesTable(), trialsTable(), sessionsTable(), eventsTable()};
-    keptColumns(database, tables.front().columns);
-    joinColumns(database, tables.front().columns);
+    keptColumns(database, tables[0].columns, &studies::StageDeclaration::response_values, "response_values",
+                "v.response = f.response");
+    keptColumns(database, tables[1].columns, &studies::StageDeclaration::trial_values, "trial_values",
+                "v.participant = t.participant AND v.trial_index = t.trial_index");
+    joinColumns(database, tables[0].columns);
     return tables;
 }
 

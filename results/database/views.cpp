@@ -11,14 +11,9 @@ namespace {
 
 using studies::KeptField;
 using studies::KeptFields;
-using studies::KeptType;
 
 std::string columnOf(const KeptField& field, const char* table, const char* row) {
-    const bool whole = field.type == KeptType::whole || field.type == KeptType::truth;
-    const char* value = field.type == KeptType::text ? "v.text" : "v.value";
-    return fmt::format(", (SELECT {} FROM {} AS v WHERE {} AND v.name = '{}') AS {}",
-                       whole ? fmt::format("CAST({} AS INTEGER)", value) : value, table, row, field.name,
-                       field.name);
+    return fmt::format(", {} AS {}", keptValueSql(field, table, row), field.name);
 }
 
 std::string viewsOfKinds(const char* create) {
@@ -47,6 +42,14 @@ std::string viewsOfKinds(const char* create) {
 }
 
 }  // namespace
+
+std::string keptValueSql(const KeptField& field, const char* table, const char* row) {
+    using enum studies::KeptType;
+    const char* value = field.type == text                           ? "v.text"
+                        : field.type == whole || field.type == truth ? "CAST(v.value AS INTEGER)"
+                                                                     : "v.value";
+    return fmt::format("(SELECT {} FROM {} AS v WHERE {} AND v.name = '{}')", value, table, row, field.name);
+}
 
 std::string createViews() {
     return newest_views + viewsOfKinds("CREATE VIEW");

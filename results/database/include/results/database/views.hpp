@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "studies/study_file/kept_values.hpp"
+
 namespace deixis::results {
 
 /// SQL that makes all of them; they must not be there. Understood by SQLite and, but for how responses_flat
@@ -13,5 +15,8 @@ namespace deixis::results {
 [[nodiscard]] std::string createMissingViews();
 /// SQL that takes all of them away, those that are there.
 [[nodiscard]] std::string dropViews();
+/// SQL of one declared value. `row` says which row of `table` (trial_values or response_values), called v,
+/// belongs to the row at hand.
+[[nodiscard]] std::string keptValueSql(const studies::KeptField& field, const char* table, const char* row);
 
 }  // namespace deixis::results
