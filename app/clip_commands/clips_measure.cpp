@@ -56,8 +56,7 @@ void addRay(Entries& out, motion::PointingRay kind, const std::optional<motion::
         return [field](const motion::RayMeasures& r) { return degreesFromRadians(r.*field); };
     };
     out.push_back(optionalEntry(name + "_error_deg", ray, degrees(&motion::RayMeasures::error_rad)));
-    out.push_back(
-        optionalEntry(name + "_least_error_deg", ray, degrees(&motion::RayMeasures::min_error_rad)));
+    out.push_back(optionalEntry(name + "_min_error_deg", ray, degrees(&motion::RayMeasures::min_error_rad)));
     out.push_back(optionalEntry(name + "_distance_m", ray, [](const auto& r) { return r.distance_m; }));
     out.push_back(optionalEntry(name + "_points_away", ray, [](const auto& r) { return r.points_away; }));
     const motion::Steadiness* steadiness = ray && ray->steadiness ? &*ray->steadiness : nullptr;

@@ -103,6 +103,10 @@ class Section {
         know(key);
         if (table_ == nullptr) return nullptr;
         const toml::node* node = table_->get(key);
+        if (node == nullptr && key == "min_reach") {  // its name in studies that were locked before
+            know("least_reach");
+            node = table_->get("least_reach");
+        }
         if (node == nullptr) note(lineOf(*table_), key, "this key is missing");
         return node;
     }
@@ -190,7 +194,7 @@ void readTiming(Section& s, motion::TimingParameters& t) {
     s.read("warp", t.warp, {0.2, 5.0});
     s.read("emphasis", t.emphasis, {0.1, 10.0});
     s.read("bulge", t.bulge, share);
-    s.read("least_reach", t.min_reach, share);
+    s.read("min_reach", t.min_reach, share);
 }
 
 void readNoise(Section& s, motion::NoiseParameters& n) {

@@ -311,7 +311,7 @@ std::optional<TimelineItem> Timeline::closingItem() const {
     const bool more = std::any_of(stages_.begin(), stages_.end(),
                                   [this](const Stage* stage) { return stage->session > visit_; });
     std::string title = words("thank_you_title");
-    std::string body = words(more ? "sitting_over_text" : "thank_you_text");
+    std::string body = words(more ? "session_over_text" : "thank_you_text");
     if (closing_) {
         const std::string why = *closing_ == SessionOutcome::declined ? "declined"
                                 : *closing_ == SessionOutcome::quit   ? "stopped"

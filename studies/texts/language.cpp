@@ -109,6 +109,7 @@ Error errorOf(const std::string& file, std::string_view prefix, std::vector<Prob
 }
 
 constexpr std::string_view status_key = "status";
+constexpr std::string_view former_key = "sitting_over_text";  ///< session_over_text in older files
 
 TextStatus readStatus(const toml::table& table, std::vector<Problem>& problems) {
     const toml::node* node = table.get(status_key);
@@ -120,6 +121,12 @@ TextStatus readStatus(const toml::table& table, std::vector<Problem>& problems) 
         {node->source().begin.line, status_key,
          fmt::format("found {}, expected \"written\", \"translated\" or \"reviewed\"", describe(*node))});
     return TextStatus::unstated;
+}
+
+/// A key, or the name that it had before.
+const toml::node* wordsUnder(const toml::table& table, std::string_view key) {
+    const toml::node* node = table.get(key);
+    return node == nullptr && key == "session_over_text" ? table.get(former_key) : node;
 }
 
 }  // namespace
@@ -149,10 +156,10 @@ Result<LanguageTable> readWords(const toml::table& table, const std::string& fil
                                 const std::string& code, const LanguageTable* base) {
     std::vector<Problem> problems;
     LanguageTable::Texts texts;
-    std::vector<std::string_view> known{status_key};
+    std::vector<std::string_view> known{status_key, former_key};
     for (const auto& [key, english] : languageKeys()) {
         known.push_back(key);
-        const toml::node* node = table.get(key);
+        const toml::node* node = wordsUnder(table, key);
         if (node == nullptr) {
             if (base != nullptr)
                 texts.emplace_back(key, (*base)(key));
@@ -194,7 +201,7 @@ Result<LanguageTable> LanguageTable::loadKept(const std::filesystem::path& file,
     std::vector<Problem> problems;
     Texts texts;
     for (const auto& [key, english_text] : languageKeys()) {
-        const toml::node* node = table->get(key);
+        const toml::node* node = wordsUnder(*table, key);
         problems.clear();
         if (node != nullptr) checkText(key, english_text, *node, problems);
         const bool fits = node != nullptr && problems.empty();

@@ -37,7 +37,7 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
         {"welcome_back_text", "You will continue where you left off. Your earlier answers have been saved."},
         {"thank_you_title", "Thank you"},
         {"thank_you_text", "You have finished. All your answers have been saved."},
-        {"sitting_over_text",
+        {"session_over_text",
          "That was all for this session. Your answers have been saved. The study continues in another "
          "session."},
         {"declined_title", "Thank you for your time"},

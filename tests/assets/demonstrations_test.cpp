@@ -53,6 +53,10 @@ TEST_SUITE("assets/demonstrations") {
     TEST_CASE("an unknown key or section is rejected with file, line and key") {
         const std::string key = edited("raise_s = [0.65, 0.95]", "raise = [0.65, 0.95]");
         CHECK(says(demonstrationsError(key), "timing.raise_s: this key is missing"));
+        const auto former =
+            parseDemonstrationParameters(edited("min_reach = 0.72", "least_reach = 0.71"), "d.toml");
+        REQUIRE_MESSAGE(former.has_value(), "its name in studies that were locked before");
+        CHECK(former->timing.min_reach == 0.71);
         const std::string more = edited("[stiff]", "[stiff]\nspeed = 3");
         CHECK(says(demonstrationsError(more),
                    "d.toml:" + std::to_string(lineOf(more, "speed = 3")) + ": stiff.speed: unknown key"));

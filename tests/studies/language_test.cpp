@@ -193,6 +193,10 @@ TEST_SUITE("studies/language") {
         CHECK(contains(unknown.error().message, "also confirm: this key is missing"));
         CHECK(contains(unknown.error().hint, "confirm"));
 
+        const auto former = loadWith("session_over_text", "sitting_over_text = \"Tschüss\"");
+        REQUIRE_MESSAGE(former.has_value(), "its name in older files");
+        CHECK((*former)("session_over_text") == "Tschüss");
+
         const auto empty = loadWith("left", "left = \" \"");
         REQUIRE_FALSE(empty.has_value());
         CHECK(contains(empty.error().where, ":" + std::to_string(lineOf("left")) + ": left"));
