@@ -158,9 +158,11 @@ std::string TrainingCurves::page() const {
     }
     const std::string title = "Training of " + system_;
     return results::pageStart(title, title) +
-           "<p class=\"lead\">Held-out numbers are of clips generated for targets that were not trained on: "
-           "the "
-           "weights that are kept are chosen by them. Where there are clusters, each has its curve.</p>" +
+           results::paragraphHtml(
+               "Held-out numbers are of clips generated for targets that were not trained on: the weights "
+               "that "
+               "are kept are chosen by them. Where there are clusters, each has its curve.",
+               results::ParagraphLook::lead) +
            results::figuresPlaced(figures) +
            results::pageEnd("The numbers are in the table beside this page, whose name ends in .curves.csv.");
 }

@@ -22,11 +22,10 @@ std::string bandwidthWords(const Evaluation& evaluation) {
     const std::string rule =
         evaluation.bandwidth_rule == "given" ? "given"
         : evaluation.bandwidth_rule == "normal-reference"
-            ? "Scott&#8217;s rule as in statsmodels&#8217; KDEMultivariate, "
-              "1.06&#160;&#963;&#160;n<sup>&#8722;1/7</sup>"
+            ? "Scott\u2019s rule as in statsmodels\u2019 KDEMultivariate, 1.06\u00a0\u03c3\u00a0n^(\u22121/7)"
         : evaluation.bandwidth_rule == "scott"
-            ? "Scott&#8217;s rule, &#963;&#160;n<sup>&#8722;1/7</sup>"
-            : "Scott&#8217;s rule on the whole covariance, as in SciPy&#8217;s gaussian_kde";
+            ? "Scott\u2019s rule, \u03c3\u00a0n^(\u22121/7)"
+            : "Scott\u2019s rule on the whole covariance, as in SciPy\u2019s gaussian_kde";
     return fmt::format("[{}] m ({})", values, rule);
 }
 
@@ -43,14 +42,14 @@ std::string syntheticNote(const Evaluation& evaluation) {
         if (system.synthetic) systems += (systems.empty() ? "" : ", ") + escapeHtml(system.system);
     const bool training = evaluation.input.training_synthetic;
     if (systems.empty() && !training) return "";
-    std::string out = "\n<p class=\"synthetic\"><b>Synthetic:</b> ";
+    std::string out;
     if (!systems.empty())
-        out += fmt::format(
+        out = fmt::format(
             "{} {} made by formulas, or learned from demonstrations that were, not from people (marked * "
             "below). ",
             systems, systems.find(", ") == std::string::npos ? "is" : "are");
     if (training) out += "The training targets are those of this program's synthetic demonstrations.";
-    return out + "</p>";
+    return titledParagraph("Synthetic:", out, ParagraphLook::synthetic);
 }
 
 std::string findings(const Evaluation& evaluation) {
@@ -61,110 +60,98 @@ std::string findings(const Evaluation& evaluation) {
     std::stable_sort(measured.begin(), measured.end(),
                      [](const auto* a, const auto* b) { return mean(a->rewards) > mean(b->rewards); });
     const auto named = [](const SystemEvaluation* system) {
-        return fmt::format("<b>{}</b> ({:.3f}; mean error {:.1f}&#176;)", escapeHtml(system->system),
+        return fmt::format("{} ({:.3f}; mean error {:.1f}\u00b0)", strongHtml(system->system),
                            mean(system->rewards), mean(system->errors_deg));
     };
     std::string means = measured.size() == 1 ? "Mean accuracy of " + named(measured.front()) + "."
                                              : named(measured.front()) + " has the highest mean accuracy, " +
                                                    named(measured.back()) + " the lowest.";
-    means += fmt::format(" That is the forearm's, Equation&#160;2, whose ceiling is {:.3f}.",
+    means += fmt::format(" That is the forearm's, Equation\u00a02, whose ceiling is {:.3f}.",
                          motion::highest_pointing_reward);
     // None is picked out: the strongest of several is no finding.
     std::string correlations;
     for (const auto& system : evaluation.systems)
         if (system.correlation.method != "undefined")
-            correlations += fmt::format("{}<b>{}</b> {}", correlations.empty() ? "" : ", ",
-                                        escapeHtml(system.system), fixedText(system.correlation.rho, 3));
+            correlations += fmt::format("{}{} {}", correlations.empty() ? "" : ", ",
+                                        strongHtml(system.system), fixedText(system.correlation.rho, 3));
     if (!correlations.empty())
         correlations =
             "Spearman's correlation of accuracy with the density of the training targets: " + correlations +
             "; the table has p and p after Holm's correction.";
-    return "\n" +
-           itemsHtml({observersFinding(evaluation.observers), means, raysFinding(evaluation), correlations});
+    return itemsHtml({observersFinding(evaluation.observers), means, raysFinding(evaluation), correlations});
 }
 
-std::string systemsSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
+Section systemsSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
     std::string drawn = figureHtml(accuracyBoxes(evaluation, figures));
     const bool compared = std::any_of(evaluation.comparisons.begin(), evaluation.comparisons.end(),
                                       [](const auto& pair) { return !pair.differences.empty(); });
     if (compared) drawn += figureHtml(accuracyDifferences(evaluation, figures));
-    std::string out = "\n<h2>Accuracy by system</h2>" + figuresPlaced(drawn);
+    std::string out = figuresPlaced(drawn);
     out += systemsHtml(evaluation, tables);
     out += raysHtml(evaluation, tables);
-    out += accuracyBoxesHtml(evaluation, tables);
-    return out + comparisonsHtml(evaluation, tables);
+    return {"Accuracy by system", out + accuracyBoxesHtml(evaluation, tables)};
 }
 
-std::string observersSection(const Evaluation& evaluation, Numbering& tables) {
-    if (!evaluation.input.study) return "";
-    return fmt::format(
-               "\n<h2>Read by observers</h2>\n<p class=\"small intro\">The games of the study {}: each clip "
-               "with the balls of its target, seen from each layout&#8217;s place in a headset. {}</p>",
-               escapeHtml(evaluation.input.study->name), nearestText(*evaluation.nearest)) +
-           observersTable(evaluation.observers, "clips and places", tables);
+Section observersSection(const Evaluation& evaluation, Numbering& tables) {
+    if (!evaluation.input.study) return {};
+    return {
+        "Read by observers",
+        paragraphHtml(fmt::format("The games of the study {}: each clip with the balls of its target, seen "
+                                  "from each layout\u2019s place in a headset. {}",
+                                  escapeHtml(evaluation.input.study->name), nearestText(*evaluation.nearest)),
+                      ParagraphLook::intro) +
+            observersTable(evaluation.observers, "clips and places", tables)};
 }
 
-std::string profilesSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
+Section profilesSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
     std::string drawn;
     for (std::size_t i = 0; i < evaluation.systems.size(); ++i)
         for (const ProfileKind kind : {ProfileKind::reward, ProfileKind::speed})
             drawn += figureHtml(profileFigure(evaluation, i, kind, figures));
-    return "\n<h2>Around the time of pointing</h2>\n<p class=\"small intro\">Reward and speed of the "
-           "pointing hand, mean and band of one standard deviation over the clips of each hand (their number "
-           "in brackets; the paper&#8217;s Figures 2 and 3). 0 is the time of pointing; steps that fewer "
-           "than half of the clips have are left out. Dashed lines: the ceiling of the reward, and the "
-           "speed below which a frame counts.</p>" +
-           figuresPlaced(drawn) + profilesHtml(evaluation, tables);
+    return {
+        "Around the time of pointing",
+        paragraphHtml("Reward and speed of the pointing hand, mean and band of one standard deviation over "
+                      "the clips of each hand (their number in brackets; the paper\u2019s Figures 2 and "
+                      "3). 0 is the time of pointing; steps that fewer than half of the clips have are "
+                      "left out. Dashed lines: the ceiling of the reward, and the speed below which a "
+                      "frame counts.",
+                      ParagraphLook::intro) +
+            figuresPlaced(drawn) + profilesHtml(evaluation, tables)};
 }
 
-std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
-    std::string out =
-        "\n<h2>Accuracy and training targets</h2>\n<p class=\"small intro\">In the maps a cell is a mean "
-        "over y (from above) or over z (from behind); the agent stands at x = 0, z = 0, and its left is on "
-        "the left.</p>";
+Section trainingSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
+    std::string out = paragraphHtml(
+        "In the maps a cell is a mean over y (from above) or over z (from behind); the agent stands at x = "
+        "0, "
+        "z = 0, and its left is on the left.",
+        ParagraphLook::intro);
     out += figuresPlaced(figureHtml(densitySpace(evaluation, figures)), FigurePlace::single);
     out += figuresPlaced(figureHtml(densityMap(evaluation, figures)));
     out += correlationTable(evaluation, tables);
-    out +=
-        "\n<p class=\"small intro\">Accuracy against density, one point per clip (the paper&#8217;s "
-        "Figure&#160;10&#160;A). Diamonds, with at least fifty clips: medians of tenths of the clips, by "
-        "density.</p>";
+    out += paragraphHtml(
+        "Accuracy against density, one point per clip (the paper\u2019s Figure\u00a010\u00a0A). Diamonds, "
+        "with at least fifty clips: medians of tenths of the clips, by density.",
+        ParagraphLook::intro);
     std::string drawn;
     for (std::size_t i = 0; i < evaluation.systems.size(); ++i)
         drawn += figureHtml(densityScatter(evaluation, i, figures));
     out += figuresPlaced(drawn);
     out += figuresPlaced(figureHtml(accuracyMaps(evaluation, figures)));
-    return out + clustersHtml(evaluation, tables);
+    return {"Accuracy and training targets", out + clustersHtml(evaluation, tables)};
 }
 
-std::string methods(const Evaluation& evaluation) {
+Section methods(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
-    return fmt::format(
-        "\n<h2>Methods</h2>\n<p>The methods follow section 3.2 of Deichler, Wang, Alexanderson and Beskow "
-        "(2023).</p>\n<p><b>Accuracy</b> of a clip is the highest reward, Equation&#160;2: &#952; = 1 "
-        "&#8722; angle(hand to target, elbow to hand)/&#960;, reward = (e<sup>&#952;</sup> &#8722; 1)/e, "
-        "among the frames within {:g} s of the time of pointing on either side (a window of {:g} s) in which "
-        "the hand moves slower than {:g} m/s. The time of pointing is the frame in which the pointing "
-        "posture is reached, the manifest&#8217;s <i>peak</i>. Speed is that of the hand joint by central "
-        "differences. A clip whose hand is never that slow there has no accuracy: it is counted as missing, "
-        "and nothing is imputed. Clips are measured on their own skeletons. Only the forearm counts, as in "
-        "the paper: an agent that aligns eye, fingertip and target, as people do, scores lower than one "
-        "whose forearm points.</p>\n<p><b>Density</b> is a Gaussian kernel estimate over the "
-        "{} "
-        "training targets, bandwidths {}. <b>Correlation</b> is Spearman&#8217;s, with mean ranks for ties; "
-        "p is exact over all pairings up to nine clips, beyond that by Student&#8217;s "
-        "t.</p>\n<p><b>Clusters</b> are those of MeanShift with a flat kernel, with scikit-learn&#8217;s "
-        "conventions. A test point belongs to the cluster of its nearest training target, as in section "
-        "2.2.2 of the paper.</p>\n<p><b>Systems are compared</b> target by target (several clips of one "
-        "system for one target count by their mean). The signed-rank test is exact up to 2,000 targets, ties "
-        "among differences included; differences are rounded to 10<sup>&#8722;9</sup>, and zeros are left "
-        "out of the ranking. Targets are a sample of places, not of people: p says how far the order of two "
-        "systems depends on the places.</p>",
-        0.5 * input.rule.window_s, input.rule.window_s, input.rule.slower_than_m_s, input.training.size(),
-        bandwidthWords(evaluation));
+    const auto plain = [](double value) { return fmt::format("{:g}", value); };
+    return {"Methods",
+            filled("evaluation_methods.mustache", {{"half_window_s", plain(0.5 * input.rule.window_s)},
+                                                   {"window_s", plain(input.rule.window_s)},
+                                                   {"slower_than_m_s", plain(input.rule.slower_than_m_s)},
+                                                   {"training_targets", input.training.size()},
+                                                   {"bandwidths", bandwidthWords(evaluation)}})};
 }
 
-std::string provenance(const Evaluation& evaluation) {
+Section provenance(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     std::vector<Fact> facts;
     const auto entry = [&](const std::string& name, const std::string& html) {
@@ -174,7 +161,7 @@ std::string provenance(const Evaluation& evaluation) {
     for (const auto& [name, value] : input.build) entry(propertyLabel(name), escapeHtml(value));
     entry("Training targets", escapeHtml(input.training_source));
     for (const InputFile& file : input.files)
-        entry("File", escapeHtml(file.path) + "<br/>SHA-256 " + escapeHtml(file.sha256));
+        entry("File", escapeHtml(file.path + ", SHA-256 " + file.sha256));
     entry("Motion", fmt::format("{} clips; SHA-256 over the positions of elbow and hand {}",
                                 input.clips.size(), escapeHtml(input.motion_digest)));
     entry("Bandwidths", bandwidthWords(evaluation));
@@ -182,32 +169,37 @@ std::string provenance(const Evaluation& evaluation) {
           fmt::format(
               "bandwidth {:.6g} m ({})", evaluation.mean_shift_bandwidth,
               evaluation.mean_shift_estimated ? "mean distance to the neighbour at quantile 0.3" : "given"));
-    return "\n<h2>Where the numbers come from</h2>" + factsHtml(facts);
+    return {"Where the numbers come from", factsHtml(facts)};
 }
 
 }  // namespace
 
 std::string renderEvaluation(const Evaluation& evaluation) {
-    std::string out = pageStart("Objective evaluation of pointing", "Objective evaluation of pointing") +
-                      fmt::format(
-                          "<p class=\"lead\">{} system{} &#183; {} clips &#183; {} test points &#183; {} "
-                          "training targets ({})</p>",
-                          evaluation.systems.size(), evaluation.systems.size() == 1 ? "" : "s",
-                          evaluation.input.clips.size(), evaluation.points.size(),
-                          evaluation.input.training.size(), escapeHtml(evaluation.input.training_source));
-    const std::string lead = out + syntheticNote(evaluation) + findings(evaluation);
-    out = remarksHtml(evaluation.remarks);
+    const EvaluationInput& input = evaluation.input;
+    const std::string title = "Objective evaluation of pointing";
+    const std::string lead =
+        pageStart(title, title) +
+        paragraphHtml(fmt::format("{} \u00b7 {} clips \u00b7 {} test points \u00b7 {} training targets ({})",
+                                  counted(static_cast<int>(evaluation.systems.size()), "system", "systems"),
+                                  input.clips.size(), evaluation.points.size(), input.training.size(),
+                                  escapeHtml(input.training_source)),
+                      ParagraphLook::lead) +
+        syntheticNote(evaluation) + findings(evaluation);
     Numbering figures("Figure");
     Numbering tables;
-    out += observersSection(evaluation, tables);
-    out += systemsSection(evaluation, figures, tables);
-    out += profilesSection(evaluation, figures, tables);
-    out += trainingSection(evaluation, figures, tables);
+    // One after another: figures and tables count.
+    std::vector<Section> sections{remarksSection(evaluation.remarks)};
+    sections.push_back(observersSection(evaluation, tables));
+    sections.push_back(systemsSection(evaluation, figures, tables));
+    sections.push_back(comparisonsSection(evaluation, tables));
+    sections.push_back(profilesSection(evaluation, figures, tables));
+    sections.push_back(trainingSection(evaluation, figures, tables));
     if (anySynthetic(evaluation))
-        out +=
-            "\n<p class=\"small\">* Synthetic: made by formulas, or learned from demonstrations that "
-            "were.</p>";
-    return withContents(lead, out + methods(evaluation) + provenance(evaluation)) +
+        sections.back().html +=
+            noteHtml("* Synthetic: made by formulas, or learned from demonstrations that were.");
+    sections.push_back(methods(evaluation));
+    sections.push_back(provenance(evaluation));
+    return withContents(lead, std::move(sections)) +
            pageEnd(
                "The tables summarise their numbers; deixis evaluate --csv writes them clip by clip, step by "
                "step and place by place.");

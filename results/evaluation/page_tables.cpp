@@ -137,20 +137,20 @@ std::string clustersHtml(const Evaluation& evaluation, Numbering& numbering) {
         shown, numbering);
 }
 
-std::string comparisonsHtml(const Evaluation& evaluation, Numbering& numbering) {
-    if (evaluation.comparisons.empty()) return "";
-    return "\n<h2>Systems compared</h2>" +
-           tableHtml(comparisonsTable(evaluation),
-                     "Differences of accuracy, the first system\u2019s minus the second\u2019s, over the "
-                     "targets at which both have "
-                     "one. Typical: Hodges and Lehmann\u2019s estimate with its interval of 95\u00a0%. r: "
-                     "rank-biserial "
-                     "correlation, 1 if the first is better at every target. p: Wilcoxon\u2019s "
-                     "signed-rank test, two-sided; "
-                     "Holm: adjusted over all pairs of the table.",
-                     {"pair", "targets", "mean_difference", "sd", "mean_difference_deg", "typical",
-                      "rank_biserial", "p", "p_holm"},
-                     numbering, dense_table);
+Section comparisonsSection(const Evaluation& evaluation, Numbering& numbering) {
+    if (evaluation.comparisons.empty()) return {};
+    return {"Systems compared",
+            tableHtml(comparisonsTable(evaluation),
+                      "Differences of accuracy, the first system\u2019s minus the second\u2019s, over the "
+                      "targets at which both have "
+                      "one. Typical: Hodges and Lehmann\u2019s estimate with its interval of 95\u00a0%. r: "
+                      "rank-biserial "
+                      "correlation, 1 if the first is better at every target. p: Wilcoxon\u2019s "
+                      "signed-rank test, two-sided; "
+                      "Holm: adjusted over all pairs of the table.",
+                      {"pair", "targets", "mean_difference", "sd", "mean_difference_deg", "typical",
+                       "rank_biserial", "p", "p_holm"},
+                      numbering, dense_table)};
 }
 
 }  // namespace deixis::results

@@ -5,6 +5,7 @@
 
 #include "results/evaluation/evaluation.hpp"
 #include "results/page/number_text.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 
@@ -12,7 +13,7 @@ namespace deixis::results {
 /// What the box plots of accuracy draw.
 [[nodiscard]] std::string accuracyBoxesHtml(const Evaluation& evaluation, Numbering& tables);
 /// Pairs of systems; empty of a single one.
-[[nodiscard]] std::string comparisonsHtml(const Evaluation& evaluation, Numbering& tables);
+[[nodiscard]] Section comparisonsSection(const Evaluation& evaluation, Numbering& tables);
 /// Reward and speed each half second around the time of pointing.
 [[nodiscard]] std::string profilesHtml(const Evaluation& evaluation, Numbering& tables);
 [[nodiscard]] std::string correlationTable(const Evaluation& evaluation, Numbering& tables);

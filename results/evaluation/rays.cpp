@@ -35,19 +35,19 @@ std::string raysFinding(const Evaluation& evaluation) {
         if (ray == motion::PointingRay::forearm || ray == motion::PointingRay::eye_fingertip)
             for (const auto& [error, system] : means)
                 errors[system].push_back(
-                    fmt::format("{:.1f}&#176; by {}", error, motion::pointingRayName(ray)));
+                    fmt::format("{:.1f}\u00b0 by {}", error, motion::pointingRayName(ray)));
     }
     if (orders.empty()) return "";
     std::string out = "Mean angle between ray and target: ";
     bool first = true;
     for (const auto& [system, said] : errors) {
-        out += fmt::format("{}<b>{}</b> {}", first ? "" : "; ", escapeHtml(evaluation.systems[system].system),
+        out += fmt::format("{}{} {}", first ? "" : "; ", strongHtml(evaluation.systems[system].system),
                            fmt::join(said, ", "));
         first = false;
     }
     out += ".";
     if (orders.size() > 1 && evaluation.systems.size() > 1) {
-        out += " <b>The rays do not rank the systems in the same order</b>:";
+        out += " " + strongHtml("The rays do not rank the systems in the same order") + ":";
         first = true;
         for (const auto& [order, rays] : orders) {
             std::vector<std::string> names;

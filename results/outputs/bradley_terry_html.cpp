@@ -4,12 +4,13 @@
 
 #include "results/outputs/analysis_tables.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 
-std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering) {
+Section bradleyTerrySection(const AnalysisResult& result, Numbering& numbering) {
     const BradleyTerry& fit = result.bradley_terry;
-    if (fit.abilities.empty()) return "";
+    if (fit.abilities.empty()) return {};
     Table table = tables::abilities(result);
     std::vector<Shown> shown{"system", "ability", "bca", "percentile"};
     std::vector<std::string> names;  // of the columns below, which must stay
@@ -28,21 +29,19 @@ std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering)
                     cell = fmt::format("{} / {} / {}", pair.prefers_b, pair.ties, pair.prefers_a);
         }
     }
-    std::string out =
-        "<h2>Abilities from preferences</h2>" +
-        tableHtml(
-            table,
-            fmt::format(
-                "Bradley and Terry's model: the log odds with which one system is preferred to another are "
-                "the difference of their abilities, whose mean is 0; ties are half a win each. "
-                "{:.4g}\u00a0% intervals from resampled participants: bias-corrected and accelerated (BCa), "
-                "and percentiles. Right: wins, ties and losses against each other system.",
-                100.0 * result.level),
-            shown, numbering, dense_table);
+    std::string out = tableHtml(
+        table,
+        fmt::format(
+            "Bradley and Terry's model: the log odds with which one system is preferred to another are "
+            "the difference of their abilities, whose mean is 0; ties are half a win each. "
+            "{:.4g}\u00a0% intervals from resampled participants: bias-corrected and accelerated (BCa), "
+            "and percentiles. Right: wins, ties and losses against each other system.",
+            100.0 * result.level),
+        shown, numbering, dense_table);
     if (!fit.note.empty())
         out += noteHtml(
             fmt::format("{}: {}.", fit.abilities.front().estimate ? "Intervals" : "No abilities", fit.note));
-    return out;
+    return {"Abilities from preferences", out};
 }
 
 }  // namespace deixis::results

@@ -38,7 +38,7 @@ std::string observersFinding(const std::vector<ObserverReading>& readings) {
         if (one.system == last) continue;
         last = one.system;
         const auto [min, max] = std::minmax_element(one.accuracy.begin(), one.accuracy.end());
-        spreads += fmt::format("{}<b>{}</b> {} to {}", spreads.empty() ? "" : ", ", escapeHtml(one.system),
+        spreads += fmt::format("{}{} {} to {}", spreads.empty() ? "" : ", ", strongHtml(one.system),
                                fixedText(100.0 * *min, 1), percent(*max));
     }
     out += spreads + ".";

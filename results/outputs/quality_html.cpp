@@ -1,15 +1,14 @@
 #include "results/outputs/quality_html.hpp"
 
-#include "studies/study_file/leave_out_rule.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "results/analysis/analysis.hpp"
 #include "results/outputs/analysis_tables.hpp"
-#include "results/outputs/quality_html.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
+#include "studies/study_file/leave_out_rule.hpp"
 
 namespace deixis::results {
 
@@ -35,24 +34,25 @@ std::string ruleHtml(const AnalysisResult& result) {
     const LeaveOutRule& rule = result.table.leave_out;
     if (result.table.study_hash.empty()) return "";  // a file of answers knows no rules
     if (!rule.declared())
-        return result.table.origins.empty()
-                   ? "<p>The study declares no rule for leaving out answers.</p>"
-                   : "<p>The studies declare no common rule for leaving out answers; participants left out "
-                     "by the rule of one study are named below.</p>";
+        return paragraphHtml(
+            result.table.origins.empty()
+                ? "The study declares no rule for leaving out answers."
+                : "The studies declare no common rule for leaving out answers; participants left out by the "
+                  "rule of one study are named below.");
     std::string out;
     const auto add = [&out](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
     if (rule.same_rating_share)
-        add(fmt::format("the same rating in at least {:g}&#160;% of a measure&#8217;s answers",
+        add(fmt::format("the same rating in at least {:g}\u00a0% of a measure\u2019s answers",
                         100.0 * *rule.same_rating_share));
     if (rule.one_side_share)
-        add(fmt::format("the same side in at least {:g}&#160;% of the pairs", 100.0 * *rule.one_side_share));
+        add(fmt::format("the same side in at least {:g}\u00a0% of the pairs", 100.0 * *rule.one_side_share));
     if (rule.median_time_below_s)
-        add(fmt::format("a median response time below {:g}&#160;s", *rule.median_time_below_s));
-    return fmt::format(
-        "<p>Declared before the study, for participants with at least {} such answers: {}. These are left "
-        "out, and named among the exclusions below{}.</p>",
+        add(fmt::format("a median response time below {:g}\u00a0s", *rule.median_time_below_s));
+    return paragraphHtml(fmt::format(
+        "Declared before the study, for participants with at least {} such answers: {}. These are left "
+        "out, and named among the exclusions below{}.",
         LeaveOutRule::min_answers, out,
-        result.table.left_out_rows.empty() ? "" : "; the section on other choices shows both results");
+        result.table.left_out_rows.empty() ? "" : "; the section on other choices shows both results"));
 }
 
 /// What nobody did, of what could be judged.
@@ -63,22 +63,22 @@ std::string nobodyText(const AnalysisResult& result) {
     std::vector<std::string> what;
     if (!result.table.checks.empty()) what.emplace_back("failed a check");
     if (any([](const ParticipantQuality& one) { return one.same_of >= min; }))
-        what.push_back(fmt::format("gave the same rating in {:g}&#160;% of a measure&#8217;s ratings",
+        what.push_back(fmt::format("gave the same rating in {:g}\u00a0% of a measure\u2019s ratings",
                                    100.0 * mostly_one_rating));
     if (any([](const ParticipantQuality& one) { return one.decided > 0; }))
         what.push_back(
-            fmt::format("preferred one side more often than chance (p&#160;&#8804;&#160;{:g})", side_p));
+            fmt::format("preferred one side more often than chance (p\u00a0\u2264\u00a0{:g})", side_p));
     if (any([](const ParticipantQuality& one) { return one.times >= min; }))
         what.push_back(
-            fmt::format("took unusual times in more than {:g}&#160;% of the trials", 100.0 * many_odd_times));
+            fmt::format("took unusual times in more than {:g}\u00a0% of the trials", 100.0 * many_odd_times));
     if (any([](const ParticipantQuality& one) { return one.agreement.has_value(); }))
         what.emplace_back("rated against the others");
     std::string out;
     for (std::size_t i = 0; i < what.size(); ++i)
         out += (i == 0 ? "" : i + 1 == what.size() ? " or " : ", ") + what[i];
     if (out.empty()) return "";
-    return people.size() == 1 ? fmt::format("<p>The participant has not {}.</p>", out)
-                              : fmt::format("<p>None of {} participants {}.</p>", people.size(), out);
+    return paragraphHtml(people.size() == 1 ? fmt::format("The participant has not {}.", out)
+                                            : fmt::format("None of {} participants {}.", people.size(), out));
 }
 
 std::string participantsHtml(const AnalysisResult& result, Numbering& numbering) {
@@ -127,12 +127,12 @@ std::string participantsHtml(const AnalysisResult& result, Numbering& numbering)
 
 }  // namespace
 
-std::string qualityHtml(const AnalysisResult& result, Numbering& numbering) {
+Section qualitySection(const AnalysisResult& result, Numbering& numbering) {
     const DataQuality& quality = result.quality;
-    if (quality.participants.empty()) return "";
-    std::string out = "<h2>Quality of the data</h2>" + ruleHtml(result);
+    if (quality.participants.empty()) return {};
+    std::string out = ruleHtml(result);
     out += reliabilityHtml(result, numbering);  // tables number themselves in this order
-    return out + participantsHtml(result, numbering);
+    return {"Quality of the data", out + participantsHtml(result, numbering)};
 }
 
 bool standsOut(const ParticipantQuality& one) {

@@ -151,10 +151,6 @@ std::string folded(const std::string& summary, const std::string& html) {
     return filled("folded.mustache", {{"summary", summary}, {"html", html}});
 }
 
-std::string noteHtml(const std::string& text) {
-    return filled("note.mustache", {{"text", text}});
-}
-
 Table wide(const Table& table, const std::vector<const char*>& keys, const char* across,
            const std::vector<std::string>& values, const std::vector<AcrossColumn>& columns) {
     Table out{table.name, table.unit};

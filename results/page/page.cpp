@@ -1,8 +1,5 @@
 #include "results/page/page.hpp"
 
-#include <fmt/core.h>
-
-#include <string_view>
 #include <utility>
 
 #include "core/text.hpp"
@@ -31,26 +28,36 @@ std::string itemsHtml(std::vector<std::string> items) {
     return filled("list.mustache", {{"html", items}});
 }
 
-std::string remarksHtml(const std::vector<std::string>& remarks) {
-    return remarks.empty() ? "" : "\n<h2>Remarks</h2>" + listHtml(remarks);
+std::string paragraphHtml(const std::string& html, ParagraphLook look) {
+    constexpr const char* classes[] = {"", "lead", "small intro", "small", "synthetic"};
+    return filled("paragraph.mustache", {{"class", classes[static_cast<std::size_t>(look)]}, {"html", html}});
 }
 
-std::string withContents(const std::string& lead, const std::string& sections) {
-    constexpr std::string_view open = "<h2>";
-    constexpr std::string_view close = "</h2>";
+std::string titledParagraph(const std::string& title, const std::string& html, ParagraphLook look) {
+    return filled(
+        "paragraph.mustache",
+        {{"class", look == ParagraphLook::synthetic ? "synthetic" : ""}, {"title", title}, {"html", html}});
+}
+
+std::string noteHtml(const std::string& text) {
+    return paragraphHtml(escapeHtml(text), ParagraphLook::small);
+}
+
+Section remarksSection(const std::vector<std::string>& remarks) {
+    return {"Remarks", remarks.empty() ? "" : listHtml(remarks)};
+}
+
+std::string withContents(const std::string& lead, std::vector<Section> sections) {
+    std::erase_if(sections, [](const Section& one) { return one.html.empty(); });
     Json items = Json::array();
     std::string out;
-    std::size_t from = 0;
-    int number = 0;
-    for (std::size_t at = sections.find(open); at != std::string::npos; at = sections.find(open, from)) {
-        const std::size_t end = sections.find(close, at);
-        const std::string heading = sections.substr(at + open.size(), end - at - open.size());
-        out += sections.substr(from, at - from) + fmt::format("<h2 id=\"section-{}\">", ++number);
-        items.push_back({{"number", number}, {"heading", heading}});
-        from = at + open.size();
+    for (const Section& one : sections) {
+        Json item{{"heading", one.heading}, {"html", one.html}};
+        if (sections.size() > 1) item["number"] = items.size() + 1;
+        out += filled("section.mustache", item);
+        items.push_back({{"number", items.size() + 1}, {"heading", one.heading}});
     }
-    out += sections.substr(from);
-    if (number < 2) return lead + out;
+    if (items.size() < 2) return lead + out;
     return lead + filled("contents.mustache", {{"sections", items}}) + out;
 }
 

@@ -16,16 +16,23 @@
         ".popsection\n");                      \
     extern "C" const char deixis_template_##name[]
 
+DEIXIS_TEMPLATE(claims, "claims.mustache");
 DEIXIS_TEMPLATE(contents, "contents.mustache");
+DEIXIS_TEMPLATE(evaluation_methods, "evaluation_methods.mustache");
 DEIXIS_TEMPLATE(facts, "facts.mustache");
 DEIXIS_TEMPLATE(figure, "figure.mustache");
 DEIXIS_TEMPLATE(figures, "figures.mustache");
 DEIXIS_TEMPLATE(folded, "folded.mustache");
+DEIXIS_TEMPLATE(link, "link.mustache");
 DEIXIS_TEMPLATE(list, "list.mustache");
-DEIXIS_TEMPLATE(note, "note.mustache");
+DEIXIS_TEMPLATE(paragraph, "paragraph.mustache");
 DEIXIS_TEMPLATE(css, "page.css");
 DEIXIS_TEMPLATE(page_end, "page_end.mustache");
 DEIXIS_TEMPLATE(page_start, "page_start.mustache");
+DEIXIS_TEMPLATE(picture, "picture.mustache");
+DEIXIS_TEMPLATE(report_methods, "report_methods.mustache");
+DEIXIS_TEMPLATE(section, "section.mustache");
+DEIXIS_TEMPLATE(strong, "strong.mustache");
 DEIXIS_TEMPLATE(table, "table.mustache");
 
 namespace deixis::results {
@@ -35,11 +42,23 @@ namespace {
 using Data = kainjow::mustache::data;
 
 constexpr std::pair<std::string_view, const char*> texts[]{
-    {"contents.mustache", deixis_template_contents}, {"facts.mustache", deixis_template_facts},
-    {"figure.mustache", deixis_template_figure},     {"figures.mustache", deixis_template_figures},
-    {"folded.mustache", deixis_template_folded},     {"list.mustache", deixis_template_list},
-    {"note.mustache", deixis_template_note},         {"page.css", deixis_template_css},
-    {"page_end.mustache", deixis_template_page_end}, {"page_start.mustache", deixis_template_page_start},
+    {"claims.mustache", deixis_template_claims},
+    {"contents.mustache", deixis_template_contents},
+    {"evaluation_methods.mustache", deixis_template_evaluation_methods},
+    {"facts.mustache", deixis_template_facts},
+    {"figure.mustache", deixis_template_figure},
+    {"figures.mustache", deixis_template_figures},
+    {"folded.mustache", deixis_template_folded},
+    {"link.mustache", deixis_template_link},
+    {"list.mustache", deixis_template_list},
+    {"page.css", deixis_template_css},
+    {"page_end.mustache", deixis_template_page_end},
+    {"page_start.mustache", deixis_template_page_start},
+    {"paragraph.mustache", deixis_template_paragraph},
+    {"picture.mustache", deixis_template_picture},
+    {"report_methods.mustache", deixis_template_report_methods},
+    {"section.mustache", deixis_template_section},
+    {"strong.mustache", deixis_template_strong},
     {"table.mustache", deixis_template_table}};
 
 Data dataOf(const Json& value) {
@@ -78,6 +97,10 @@ std::string escapeHtml(std::string_view text) {
     for (const char c : text)  // control characters are not allowed in XML
         if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') allowed += c;
     return kainjow::mustache::html_escape(allowed);
+}
+
+std::string strongHtml(const std::string& text) {
+    return filled("strong.mustache", {{"text", text}});
 }
 
 }  // namespace deixis::results

@@ -75,15 +75,15 @@ std::string driftTable(const AnalysisResult& result, Numbering& numbering) {
 
 }  // namespace
 
-std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
-    if (result.confusion.empty()) return "";
+Section choicesSection(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
+    if (result.confusion.empty()) return {};
     // One after another: the tables count.
-    std::string out = "<h2>Which balls were chosen, and where</h2>" + confusionTable(result, numbering);
+    std::string out = confusionTable(result, numbering);
     out += driftTable(result, numbering);
     out += observersTable(result.observers, "choices", numbering);
     out += anglesHtml(result, figures, numbering);
     if (!result.target_space.empty()) out += figuresPlaced(figureHtml(placesFigure(result, figures)));
-    return out + targetTable(result, numbering);
+    return {"Which balls were chosen, and where", out + targetTable(result, numbering)};
 }
 
 }  // namespace deixis::results

@@ -65,7 +65,7 @@ std::string itemsTable(const AnalysisResult& result, Numbering& numbering) {
 
 }  // namespace
 
-std::string descriptivesHtml(const AnalysisResult& result, Numbering& numbering) {
+Section descriptivesSection(const AnalysisResult& result, Numbering& numbering) {
     // One after another: the tables count.
     std::string html = chanceTable(result, numbering);
     if (!result.unanswered.empty())
@@ -80,16 +80,16 @@ std::string descriptivesHtml(const AnalysisResult& result, Numbering& numbering)
                           {"measure", "system", "q25_s", "median_s", "q75_s", "n"}, numbering);
     html += timeTestsHtml(result, numbering);
     html += itemsTable(result, numbering);
-    return html.empty() ? "" : "<h2>Chance, order, time and items</h2>" + html;
+    return {"Chance, order, time and items", html};
 }
 
-std::string presenceHtml(const AnalysisResult& result, Numbering& numbering) {
+Section presenceSection(const AnalysisResult& result, Numbering& numbering) {
     bool even = true;
     for (std::size_t m = 0; m < result.measures.size(); ++m)
         for (const PresenceRow& row : result.presence)
             for (const int answers : row.answers[m])
                 even = even && answers == result.presence.front().answers[m].front();
-    if (even) return "";
+    if (even) return {};
     Table table{
         "presence", units::answers, "", {{"participant", ColumnKind::text, {.label = "Participant"}}}};
     TableLook look;
@@ -108,8 +108,8 @@ std::string presenceHtml(const AnalysisResult& result, Numbering& numbering) {
                 out.cells.push_back(answers > 0 ? Cell(answers) : Cell("none"));
             }
     }
-    return "<h2>Who answered what</h2>" +
-           tableHtml(table, "Answers of each participant on each system.", numbering, look);
+    return {"Who answered what",
+            tableHtml(table, "Answers of each participant on each system.", numbering, look)};
 }
 
 }  // namespace deixis::results

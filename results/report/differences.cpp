@@ -42,13 +42,13 @@ Figure differencesFigure(const AnalysisResult& result, std::size_t index, Number
         differencesSpec(plot)};
 }
 
-std::string differencesHtml(const AnalysisResult& result, Numbering& figures) {
-    if (result.participants < 2) return "";
+Section differencesSection(const AnalysisResult& result, Numbering& figures) {
+    if (result.participants < 2) return {};
     std::string out;
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         if (!comparedRows(result, result.measures[i]).empty())
             out += figureHtml(differencesFigure(result, i, figures));
-    return out.empty() ? "" : "<h2>Paired differences</h2>" + figuresPlaced(out);
+    return {"Paired differences", figuresPlaced(out)};
 }
 
 }  // namespace deixis::results

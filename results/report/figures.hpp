@@ -8,6 +8,7 @@
 #include "results/analysis/analysis.hpp"
 #include "results/page/figure.hpp"
 #include "results/page/number_text.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 
@@ -41,7 +42,7 @@ struct StepCounts {
 /// Of the above what stands at the page's head.
 [[nodiscard]] std::string figuresHtml(const AnalysisResult& result, Numbering& figures);
 /// The differences of all measures, with their heading; empty where nothing is compared.
-[[nodiscard]] std::string differencesHtml(const AnalysisResult& result, Numbering& figures);
+[[nodiscard]] Section differencesSection(const AnalysisResult& result, Numbering& figures);
 /// Tables of what the figures draw and no other table holds: quantiles, and how often each step was chosen.
 [[nodiscard]] std::string distributionsHtml(const AnalysisResult& result, Numbering& tables);
 

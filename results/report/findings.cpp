@@ -38,7 +38,7 @@ std::string extremes(const AnalysisResult& result, std::size_t measure) {
         std::vector<std::string> names;
         for (const SystemResult* s : answered)
             if (equal(value(s), mean))
-                names.push_back(fmt::format("<b>{}</b>", escapeHtml(s->system)) +
+                names.push_back(strongHtml(s->system) +
                                 (medians
                                      ? fmt::format(" ({}; median of participants {})", scoreText(of, mean),
                                                    scoreText(of, s->measures[measure].median))
@@ -162,8 +162,8 @@ std::string preferenceSentence(const AnalysisResult& result) {
     std::string out;
     for (const auto& pair : result.preferences)
         if (pair.significant)
-            out += fmt::format("{}<b>{}</b> to {}", out.empty() ? "" : ", ",
-                               escapeHtml(pair.mean > 0.0 ? pair.a : pair.b),
+            out += fmt::format("{}{} to {}", out.empty() ? "" : ", ",
+                               strongHtml(pair.mean > 0.0 ? pair.a : pair.b),
                                escapeHtml(pair.mean > 0.0 ? pair.b : pair.a));
     return out.empty()
                ? "No preference between two systems is significant; this does not show that there is none."
@@ -179,16 +179,16 @@ std::string findingsHtml(const AnalysisResult& result) {
         for (const AnalysisResult& study : result.by_study)
             items.push_back(
                 systemsItem(study, measure,
-                            fmt::format("<b>In {}</b> ({}): ", escapeHtml(study.table.study_name),
+                            fmt::format("{} ({}): ", strongHtml("In " + study.table.study_name),
                                         counted(study.participants, "participant", "participants")),
                             mediansSentence(result, study.table.study_name, result.measures[measure])));
-        items.push_back(
-            systemsItem(result, measure,
-                        result.by_study.empty()
-                            ? std::string()
-                            : fmt::format("<b>Pooled</b> over the {} studies ({}): ", result.by_study.size(),
-                                          counted(result.participants, "participant", "participants")),
-                        mediansSentence(result, pooled_studies, result.measures[measure])));
+        items.push_back(systemsItem(
+            result, measure,
+            result.by_study.empty()
+                ? std::string()
+                : fmt::format("{} over the {} studies ({}): ", strongHtml("Pooled"), result.by_study.size(),
+                              counted(result.participants, "participant", "participants")),
+            mediansSentence(result, pooled_studies, result.measures[measure])));
     }
     if (result.participants > 1) {
         for (const Measure& measure : result.measures) {
@@ -199,9 +199,9 @@ std::string findingsHtml(const AnalysisResult& result) {
         }
         for (const AnalysisResult& study : result.by_study)
             if (const std::string item = preferenceSentence(study); !item.empty())
-                items.push_back(fmt::format("<b>In {}</b>: {}", escapeHtml(study.table.study_name), item));
+                items.push_back(strongHtml("In " + study.table.study_name) + ": " + item);
         if (const std::string item = preferenceSentence(result); !item.empty())
-            items.push_back((result.by_study.empty() ? "" : "<b>Pooled</b>: ") + item);
+            items.push_back((result.by_study.empty() ? "" : strongHtml("Pooled") + ": ") + item);
         for (const Factor& factor : result.table.between)
             items.push_back(groupPreferenceSentence(result, factor.name));
         for (const std::string& item : interactionFindings(result)) items.push_back(item);
@@ -210,12 +210,13 @@ std::string findingsHtml(const AnalysisResult& result) {
     if (items.empty()) return "";
     std::string out = itemsHtml(items);
     if (result.participants > 1)
-        out += fmt::format(
-            "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "
-            "tests over participants{}, after Holm's correction{}.</p>",
+        out += noteHtml(fmt::format(
+            "Significant: at \u03b1\u00a0=\u00a0{}, two-sided Wilcoxon signed-rank tests over "
+            "participants{}, "
+            "after Holm's correction{}.",
             result.alpha,
             result.between.empty() && result.preferences_between.empty() ? "" : " (groups: rank-sum tests)",
-            result.by_study.empty() ? "" : " in families for each study and for all pooled");
+            result.by_study.empty() ? "" : " in families for each study and for all pooled"));
     return out;
 }
 

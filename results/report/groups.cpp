@@ -7,6 +7,7 @@
 #include "results/analysis/analysis_steps.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
 #include "sections.hpp"
 
 namespace deixis::results {
@@ -93,7 +94,7 @@ std::string systemsApartHtml(const AnalysisResult& result, const std::string& wh
     return out;
 }
 
-std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
+Section betweenSection(const AnalysisResult& result, Numbering& numbering) {
     std::string out =
         systemsApartHtml(result, result.by_study.empty() ? "" : ", all studies pooled", numbering);
     for (const Factor& factor : result.table.between) {
@@ -101,16 +102,16 @@ std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
             out += meansOfGroups(result, factor, measure, numbering);
         if (!result.preferences_between.empty()) out += preferencesOfGroups(result, factor, numbering);
     }
-    return out.empty() ? "" : "<h2>Groups of participants</h2>" + out;
+    return {"Groups of participants", out};
 }
 
-std::string scoresHtml(const AnalysisResult& result, Numbering& numbering) {
-    if (result.scores.empty()) return "";
+Section scoresSection(const AnalysisResult& result, Numbering& numbering) {
+    if (result.scores.empty()) return {};
     std::vector<Shown> shown{"stage", "score", "n", "mean", "sd", "q25", "median", "q75"};
     if (!result.table.between.empty()) shown.insert(shown.begin() + 2, "group");
-    const std::string out = "<h2>Questionnaires</h2>" +
-                            tableHtml(tables::scores(result), "Scores over participants.", shown, numbering);
-    return out + scoreTestsHtml(result, numbering);
+    // One after another: the tables count.
+    const std::string out = tableHtml(tables::scores(result), "Scores over participants.", shown, numbering);
+    return {"Questionnaires", out + scoreTestsHtml(result, numbering)};
 }
 
 std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {

@@ -4,6 +4,7 @@
 #include "interactions.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 

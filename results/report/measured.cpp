@@ -69,11 +69,9 @@ std::string spaceTable(const AnalysisResult& result, const Measure& measure, Num
 
 }  // namespace
 
-std::string measuredHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
+Section measuredSection(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
     const Places places = measuredSpace(result.table);
-    if (places.empty()) return "";
-    std::string out = "<h2>Errors over the target space</h2>";
-    std::string folded_tables;
+    std::string out, folded_tables;
     int number = 0;
     for (const Measure& measure : result.table.measures) {
         if (measure.unit.empty() || std::none_of(places.begin(), places.end(), [&](const MeasuredPlace& one) {
@@ -83,7 +81,7 @@ std::string measuredHtml(const AnalysisResult& result, Numbering& figures, Numbe
         out += figuresPlaced(figureHtml(spaceFigure(result, measure, places, ++number, figures)));
         folded_tables += spaceTable(result, measure, numbering);
     }
-    return out + folded_tables;
+    return {"Errors over the target space", out + folded_tables};
 }
 
 }  // namespace deixis::results

@@ -25,8 +25,8 @@ std::string order(const Table& means, const char* by) {
 
 }  // namespace
 
-std::string objectiveHtml(const AnalysisResult& result, Numbering& numbering) {
-    if (result.objective.correlations.empty()) return "";
+Section objectiveSection(const AnalysisResult& result, Numbering& numbering) {
+    if (result.objective.correlations.empty()) return {};
     const Table means = tables::objectiveMeans(result);
     std::vector<std::string> orders;
     for (const Measure& measure : result.measures) {
@@ -40,18 +40,18 @@ std::string objectiveHtml(const AnalysisResult& result, Numbering& numbering) {
                 : fmt::format("By Equation 2: {}; by {}: {}.", objective, measure.name, answers));
     }
     // One after another: the tables count.
-    std::string out = "<h2>Beside the objective evaluation</h2>" + listHtml(orders);
+    std::string out = listHtml(orders);
     out += tableHtml(means,
                      "Systems by the mean of Equation 2 (Deichler et al. 2023) over their clips, and by the "
                      "mean answer over participants.",
                      numbering);
-    return out +
-           tableHtml(
-               tables::objectiveCorrelations(result),
-               "Spearman\u2019s rank correlation of mean answers with Equation 2: over the systems, and "
-               "for each system over its targets. A target\u2019s mean is over few answers; systems are "
-               "few. Not corrected for several tests.",
-               numbering);
+    out +=
+        tableHtml(tables::objectiveCorrelations(result),
+                  "Spearman\u2019s rank correlation of mean answers with Equation 2: over the systems, and "
+                  "for each system over its targets. A target\u2019s mean is over few answers; systems are "
+                  "few. Not corrected for several tests.",
+                  numbering);
+    return {"Beside the objective evaluation", out};
 }
 
 }  // namespace deixis::results

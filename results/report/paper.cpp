@@ -130,7 +130,7 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
 
 }  // namespace
 
-std::string designHtml(const AnalysisResult& result) {
+Section designSection(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     std::vector<Fact> facts;
     const auto entry = [&](const std::string& name, const std::string& html) {
@@ -159,21 +159,20 @@ std::string designHtml(const AnalysisResult& result) {
         entry("Answers",
               fmt::format("{} in all, {} per participant", table.rows.size(),
                           min == max ? fmt::format("{}", max) : fmt::format("{} to {}", min, max)));
-    return "\n<h2>Design and participants</h2>" + factsHtml(facts);
+    return {"Design and participants", factsHtml(facts)};
 }
 
-std::string paperHtml(const AnalysisResult& result) {
-    std::string out =
-        "\n<h2>For the paper</h2><p><b>Methods, to copy.</b> " + methodsParagraph(result) + "</p>";
+Section paperSection(const AnalysisResult& result) {
+    std::string out = titledParagraph("Methods, to copy.", methodsParagraph(result));
     if (const std::string results = resultsParagraphs(result); !results.empty())
         out +=
             folded("Results, to copy: means, and the comparisons of systems, levels, groups and preferences",
                    results);
     if (const auto limits = limitations(result); !limits.empty())
-        out += "<p><b>Limitations.</b></p>" + itemsHtml(limits);
+        out += titledParagraph("Limitations.", "") + itemsHtml(limits);
     if (const auto works = references(result); !works.empty())
-        out += "<p><b>References.</b></p>" + itemsHtml(works);
-    return out;
+        out += titledParagraph("References.", "") + itemsHtml(works);
+    return {"For the paper", out};
 }
 
 }  // namespace deixis::results

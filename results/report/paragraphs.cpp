@@ -214,8 +214,9 @@ std::string against(const std::string& a, const std::string& b) {
     return fmt::format("{} against {}", escapeHtml(a), escapeHtml(b));
 }
 
+/// `text` begins with a space; empty without one.
 std::string paragraph(const std::string& head, const std::string& text) {
-    return text.empty() ? "" : fmt::format("<p><b>{}.</b>{}</p>", head, text);
+    return text.empty() ? "" : titledParagraph(head + ".", text.substr(1));
 }
 
 std::string meansSentence(const AnalysisResult& result, std::size_t index) {
@@ -249,11 +250,11 @@ std::string friedmanSentence(const AnalysisResult& result, const std::string& me
     return "";
 }
 
-/// `where`: of several studies, " in STUDY".
+/// `where`: of several studies, " in STUDY", text.
 std::string measureParagraphs(const AnalysisResult& result, const std::string& where, std::size_t index) {
     const Computed computed(result);
     const Measure& measure = result.measures[index];
-    const std::string name = escapeHtml(capitalised(measure.name)) + where;
+    const std::string name = capitalised(measure.name) + where;
     std::string out = meansSentence(result, index);
     if (computed.friedman) out += friedmanSentence(result, measure.name);
     Sentence pairs;
@@ -274,7 +275,7 @@ std::string measureParagraphs(const AnalysisResult& result, const std::string& w
                         one.significant,
                         (one.system == "all" ? "" : escapeHtml(one.system) + ", ") + against(one.a, one.b),
                         signedRankText(one, measure));
-        out += paragraph(fmt::format("{} by {}", name, escapeHtml(factor.name)), levels.text());
+        out += paragraph(fmt::format("{} by {}", name, factor.name), levels.text());
     }
     for (const Factor& factor : result.table.between) {
         Sentence groups;
@@ -284,7 +285,7 @@ std::string measureParagraphs(const AnalysisResult& result, const std::string& w
                            (one.system == "all" ? "over all systems, " : escapeHtml(one.system) + ", ") +
                                against(one.a, one.b),
                            rankSumText(one, measure));
-        out += paragraph(fmt::format("{} by groups ({})", name, escapeHtml(factor.name)), groups.text());
+        out += paragraph(fmt::format("{} by groups ({})", name, factor.name), groups.text());
     }
     return out;
 }
@@ -329,7 +330,7 @@ std::string resultsParagraphs(const AnalysisResult& result) {
     std::string out;
     for (std::size_t i = 0; i < result.measures.size(); ++i) {
         for (const AnalysisResult& study : result.by_study) {
-            const std::string in_study = " in " + escapeHtml(study.table.study_name);
+            const std::string in_study = " in " + study.table.study_name;
             out += measureParagraphs(study, in_study, i);
             out += ratingResults(study, in_study, result.measures[i]);
         }
@@ -337,7 +338,7 @@ std::string resultsParagraphs(const AnalysisResult& result) {
         out += ratingResults(result, pooled, result.measures[i]);
     }
     for (const AnalysisResult& study : result.by_study)
-        out += preferenceParagraph(study, " in " + escapeHtml(study.table.study_name));
+        out += preferenceParagraph(study, " in " + study.table.study_name);
     return out + preferenceParagraph(result, pooled);
 }
 

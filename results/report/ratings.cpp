@@ -7,6 +7,7 @@
 
 #include "results/outputs/analysis_tables.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 
@@ -131,7 +132,7 @@ std::string testText(const std::optional<double>& z, const std::optional<double>
 }  // namespace
 
 std::string ratingResults(const AnalysisResult& result, const std::string& where, const Measure& measure) {
-    const std::string name = escapeHtml(capitalised(measure.name)) + where;
+    const std::string name = capitalised(measure.name) + where;
     std::string pairs;
     for (const RatingComparison& one : result.rating_pairs)
         if (one.measure == measure.name && one.test.n_pairs > 0)
@@ -154,11 +155,10 @@ std::string ratingResults(const AnalysisResult& result, const std::string& where
     }
     std::string out;
     if (!pairs.empty())
-        out += fmt::format("<p><b>{} by single ratings (pseudo-replicated: p too small).</b> {}.</p>", name,
-                           pairs);
+        out += titledParagraph(name + " by single ratings (pseudo-replicated: p too small).", pairs + ".");
     if (!trials.empty())
-        out += fmt::format("<p><b>{} by authors' trials (tests of ratings pseudo-replicated).</b> {}.</p>",
-                           name, trials);
+        out +=
+            titledParagraph(name + " by authors' trials (tests of ratings pseudo-replicated).", trials + ".");
     return out;
 }
 

@@ -107,34 +107,35 @@ std::string doubtfulButKept(const ResponseTable& table) {
         out += fmt::format("{}Failed a check: {}.", out.empty() ? "" : " ",
                            joined({table.failed_checks.begin(), table.failed_checks.end()}));
     if (out.empty()) return "";
-    return "<p>" + out +
-           " Their answers count in the headline; what changes without them is shown above.</p>";
+    return paragraphHtml(out +
+                         " Their answers count in the headline; what changes without them is shown above.");
 }
 
-std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering) {
+Section checksAndLeftOut(const AnalysisResult& result, Numbering& numbering) {
     const ResponseTable& table = result.table;
     const std::string kept = doubtfulButKept(table);
-    if (table.checks.empty() && table.left_out.empty() && table.withdrawn == 0 && kept.empty()) return "";
-    std::string out = "<h2>Attention checks and exclusions</h2>";
+    if (table.checks.empty() && table.left_out.empty() && table.withdrawn == 0 && kept.empty()) return {};
+    std::string out;
+    const std::string heading = "Attention checks and exclusions";
     if (!table.checks.empty())
         out += tableHtml(tables::checks(result),
                          "Attention checks of all participants, including excluded ones.", numbering);
     out += kept;
     if (table.withdrawn > 0)
-        out += fmt::format(
-            "<p>{} withdrew; none of their data is kept.</p>",
-            table.withdrawn == 1 ? "1 participant" : fmt::format("{} participants", table.withdrawn));
+        out += paragraphHtml(counted(table.withdrawn, "participant", "participants") +
+                             " withdrew; none of their data is kept.");
     if (table.left_out.empty())
-        return table.withdrawn > 0 ? out + "<p>Nobody else is left out.</p>"
-                                   : out + "<p>Nobody is left out.</p>";
+        return {heading, out + paragraphHtml(table.withdrawn > 0 ? "Nobody else is left out."
+                                                                 : "Nobody is left out.")};
     std::vector<std::string> people;
     for (const auto& one : table.left_out)
         people.push_back(fmt::format("{}: {} ({})", one.participant, one.dropped ? "dropped out" : "excluded",
                                      one.reason));
-    return out + "<p>The answers of these participants are left out:</p>" + listHtml(people);
+    return {heading,
+            out + paragraphHtml("The answers of these participants are left out:") + listHtml(people)};
 }
 
-std::string provenance(const AnalysisResult& result) {
+Section provenance(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     std::vector<Fact> facts;
     const auto entry = [&](const std::string& name, const std::string& html) {
@@ -155,14 +156,14 @@ std::string provenance(const AnalysisResult& result) {
     if (!result.options.program.empty()) entry("Analysed by", escapeHtml(result.options.program));
     for (const auto& [name, value] : result.options.build) entry(propertyLabel(name), escapeHtml(value));
     entry("Settings",
-          fmt::format("&#945; = {}, intervals at {:g}&#160;%, {} bootstrap resamples, seed {}", result.alpha,
+          fmt::format("\u03b1 = {}, intervals at {:g}\u00a0%, {} bootstrap resamples, seed {}", result.alpha,
                       100.0 * result.level, result.options.resamples, result.options.seed));
     for (const auto& station : table.stations)
         entry("Station", fmt::format("{}{}: {} session{}{}", escapeHtml(station.kind),
                                      station.synthetic ? " (answers not from a person)" : "",
                                      station.sessions, station.sessions == 1 ? "" : "s",
                                      station.details.empty() ? "" : "; " + escapeHtml(station.details)));
-    return "<h2>Where the numbers come from</h2>" + factsHtml(facts);
+    return {"Where the numbers come from", factsHtml(facts)};
 }
 
 std::string stationKinds(const ResponseTable& table) {
@@ -188,57 +189,67 @@ std::string answersByMeasure(const ResponseTable& table) {
     return " (" + out + ")";
 }
 
+std::string headOf(const AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    const auto number = [](std::size_t n) { return static_cast<int>(n); };
+    std::string out =
+        pageStart(table.study_title + " \u2013 report", table.study_title) +
+        paragraphHtml(
+            fmt::format(
+                "{}{} \u00b7 {} analysed{} \u00b7 {}{}",
+                result.by_study.empty() ? "" : fmt::format("{} studies \u00b7 ", result.by_study.size()),
+                counted(result.participants, "participant", "participants"),
+                counted(number(table.rows.size()), "answer", "answers"), answersByMeasure(table),
+                counted(number(table.systems.size()), "system", "systems"),
+                table.stations.empty() ? "" : " \u00b7 station: " + stationKinds(table)),
+            ParagraphLook::lead);
+    if (result.synthetic)
+        out += titledParagraph(
+            "Simulated participants:", "these numbers test the pipeline and are no evidence about people.",
+            ParagraphLook::synthetic);
+    return out + findingsHtml(result);
+}
+
+Section meansSection(const AnalysisResult& result, Numbering& numbering) {
+    if (result.measures.empty()) return {};
+    // One after another: the tables count.
+    std::string out = meansTable(result, numbering);
+    out += distributionsHtml(result, numbering);
+    out += pooledHtml(result, numbering);
+    for (const Factor& factor : withinFactors(result.table))
+        for (const Measure& measure : result.measures)
+            out += levelTable(result, measure, factor.name, numbering);
+    return {result.by_study.empty() ? "Means" : "Means, all studies pooled", out};
+}
+
 }  // namespace
 
 std::string renderReport(const AnalysisResult& result) {
-    const ResponseTable& table = result.table;
-    std::string out =
-        pageStart(table.study_title + " \u2013 report", table.study_title) +
-        fmt::format(
-            "<p class=\"lead\">{}{} participant{} &#183; {} answer{} analysed{} &#183; {} system{}{}</p>\n",
-            result.by_study.empty() ? "" : fmt::format("{} studies &#183; ", result.by_study.size()),
-            result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
-            table.rows.size() == 1 ? "" : "s", answersByMeasure(table), table.systems.size(),
-            table.systems.size() == 1 ? "" : "s",
-            table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
-    if (result.synthetic)
-        out +=
-            "<p class=\"synthetic\"><b>Simulated participants:</b> these numbers test the pipeline and are "
-            "no evidence "
-            "about people.</p>\n";
-    const std::string lead = out + findingsHtml(result);
-    out = designHtml(result);
     Numbering figures("Figure");
-    out += figuresHtml(result, figures);
-    Numbering numbering;
-    // One after another: the tables count.
-    if (!result.measures.empty()) {
-        out += fmt::format("\n<h2>Means{}</h2>\n", result.by_study.empty() ? "" : ", all studies pooled") +
-               meansTable(result, numbering);
-        out += "\n" + distributionsHtml(result, numbering);
-        out += "\n" + pooledHtml(result, numbering);
-        for (const Factor& factor : withinFactors(table))
-            for (const Measure& measure : result.measures)
-                out += "\n" + levelTable(result, measure, factor.name, numbering);
-    }
-    out += "\n" + studiesHtml(result, numbering);
-    out += "\n" + testsHtml(result, numbering);
-    out += "\n" + differencesHtml(result, figures);
-    out += "\n" + bradleyTerryHtml(result, numbering);
-    out += "\n" + sensitivityHtml(result, numbering);
-    out += "\n" + betweenHtml(result, numbering);
-    out += "\n" + choicesHtml(result, figures, numbering);
-    out += "\n" + measuredHtml(result, figures, numbering);
-    out += "\n" + objectiveHtml(result, numbering);
-    out += "\n" + descriptivesHtml(result, numbering);
-    out += "\n" + scoresHtml(result, numbering);
-    out += "\n" + qualityHtml(result, numbering);
-    out += "\n" + checksAndLeftOut(result, numbering);
-    out += "\n" + presenceHtml(result, numbering);
-    out += remarksHtml(result.remarks);
-    out += paperHtml(result);
-    out += "\n<h2>Methods in full</h2>" + methodsHtml(result) + "\n" + provenance(result);
-    return withContents(lead, out) + pageEnd("The tables have all their numbers.");
+    Numbering tables;
+    // One after another: figures and tables count.
+    std::vector<Section> sections{designSection(result)};
+    sections.front().html += figuresHtml(result, figures);
+    sections.push_back(meansSection(result, tables));
+    sections.push_back(studiesSection(result, tables));
+    sections.push_back(testsSection(result, tables));
+    sections.push_back(differencesSection(result, figures));
+    sections.push_back(bradleyTerrySection(result, tables));
+    sections.push_back(sensitivitySection(result, tables));
+    sections.push_back(betweenSection(result, tables));
+    sections.push_back(choicesSection(result, figures, tables));
+    sections.push_back(measuredSection(result, figures, tables));
+    sections.push_back(objectiveSection(result, tables));
+    sections.push_back(descriptivesSection(result, tables));
+    sections.push_back(scoresSection(result, tables));
+    sections.push_back(qualitySection(result, tables));
+    sections.push_back(checksAndLeftOut(result, tables));
+    sections.push_back(presenceSection(result, tables));
+    sections.push_back(remarksSection(result.remarks));
+    sections.push_back(paperSection(result));
+    sections.push_back({"Methods in full", methodsHtml(result)});
+    sections.push_back(provenance(result));
+    return withContents(headOf(result), std::move(sections)) + pageEnd("The tables have all their numbers.");
 }
 
 }  // namespace deixis::results

@@ -3,6 +3,7 @@
 
 #include "results/outputs/analysis_tables.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
 #include "sections.hpp"
 
 namespace deixis::results {
@@ -35,8 +36,8 @@ const AnswerCounts& countsOf(const AnalysisResult& result, AnswerChoice choice) 
 
 }  // namespace
 
-std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) {
-    if (result.participants < 2) return "";
+Section sensitivitySection(const AnalysisResult& result, Numbering& numbering) {
+    if (result.participants < 2) return {};
     std::vector<OtherChoice> choices;
     for (const OtherChoice& one : other_choices)
         if (countsOf(result, one.choice).answers != result.headline_answers.answers) choices.push_back(one);
@@ -76,15 +77,14 @@ std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) 
         return one.headline.test.n_pairs == 0 &&
                one.other(AnswerChoice::with_left_out).test.test.n_pairs == 0;
     });
-    if (table.rows.empty()) return "";
+    if (table.rows.empty()) return {};
     std::string caption = fmt::format(
         "The pairs of systems, p after Holm's correction: as in the headline ({}); with differences of zero "
         "ranked (Pratt); with the normal approximation",
         countsText(result.headline_answers));
     for (const OtherChoice& one : choices)
         caption += fmt::format("; {} ({})", one.words, countsText(countsOf(result, one.choice)));
-    std::string out =
-        "<h2>Decisions under other choices</h2>" + tableHtml(table, caption + ".", numbering, dense_table);
+    std::string out = tableHtml(table, caption + ".", numbering, dense_table);
     out += noteHtml(any ? fmt::format("If a decision at \u03b1\u00a0=\u00a0{} would differ, (yes) or (no) "
                                       "says whether it is significant there.",
                                       result.alpha)
@@ -94,7 +94,7 @@ std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) 
             "No answers are left out by exclusion, and none are doubtful: no trial was marked, no "
             "participant failed a "
             "check, every choice was made.");
-    return out;
+    return {"Decisions under other choices", out};
 }
 
 }  // namespace deixis::results

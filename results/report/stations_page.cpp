@@ -28,9 +28,10 @@ AnalysisResult onlyStations(AnalysisResult result) {
 
 std::string renderStations(const AnalysisResult& between, const std::vector<StationReport>& reports) {
     const AnalysisResult stations = onlyStations(between);
-    std::string out = pageStart(between.table.study_title + " \u2013 report", between.table.study_title) +
-                      fmt::format("<p class=\"lead\">Answers from {} kinds of station, analysed apart</p>\n",
-                                  reports.size());
+    std::string out =
+        pageStart(between.table.study_title + " \u2013 report", between.table.study_title) +
+        paragraphHtml(fmt::format("Answers from {} kinds of station, analysed apart", reports.size()),
+                      ParagraphLook::lead);
     Numbering numbering;
     Table table{"stations",
                 units::stations,
@@ -47,9 +48,10 @@ std::string renderStations(const AnalysisResult& between, const std::vector<Stat
         "A report for each kind of station. Their answers are never averaged; a study may say stations = "
         "\"together\" in [analysis].",
         numbering);
-    const std::string tests = betweenHtml(stations, numbering);
-    out += tests.empty() ? "<p>No two kinds of station have people's answers to compare.</p>" : tests;
-    return out + remarksHtml(between.table.notes) + pageEnd("The tables have all its numbers.");
+    Section tests = betweenSection(stations, numbering);
+    if (tests.html.empty()) out += paragraphHtml("No two kinds of station have people's answers to compare.");
+    return withContents(out, {tests, remarksSection(between.table.notes)}) +
+           pageEnd("The tables have all its numbers.");
 }
 
 std::string stationsJson(const AnalysisResult& between, const std::vector<StationReport>& reports) {

@@ -69,20 +69,19 @@ std::string mediansSentence(const AnalysisResult& result, const std::string& stu
     return out.empty() ? "" : fmt::format("Medians, highest first: {}.", fmt::join(out, ", "));
 }
 
-std::string studiesHtml(const AnalysisResult& result, Numbering& numbering) {
-    if (result.by_study.empty()) return "";
+Section studiesSection(const AnalysisResult& result, Numbering& numbering) {
+    if (result.by_study.empty()) return {};
     const std::size_t n = result.by_study.size();
-    std::string out = fmt::format(
-        "<h2>Each study separately</h2><p>The {} studies are groups of participants, who are different "
-        "people "
-        "in each. Their systems are tested within each study, and over all participants together (pooled). "
+    std::string out = paragraphHtml(fmt::format(
+        "The {} studies are groups of participants, who are different people in each. Their systems are "
+        "tested within each study, and over all participants together (pooled). "
         "Holm's correction covers the pairs of systems of one measure in one study, and those of one measure "
         "pooled: {} families for each measure. What changes under other choices of answers is shown for the "
-        "pooled tests; each study's own report shows it for that study.</p>",
-        n, n + 1);
+        "pooled tests; each study's own report shows it for that study.",
+        n, n + 1));
     for (const Measure& measure : result.measures) out += mediansTable(result, measure, numbering);
     for (const AnalysisResult& study : result.by_study) out += studyTestsHtml(study, numbering);
-    return out;
+    return {"Each study separately", out};
 }
 
 std::vector<Fact> studyOrigins(const ResponseTable& table) {

@@ -13,7 +13,7 @@
 namespace deixis::results {
 
 /// The section of what each study shows by itself, with the medians in order; empty of one study.
-[[nodiscard]] std::string studiesHtml(const AnalysisResult& result, Numbering& numbering);
+[[nodiscard]] Section studiesSection(const AnalysisResult& result, Numbering& numbering);
 
 /// Participants' means of a measure by system, in each study and pooled: as Yoon et al. 2021, Figure 7.
 [[nodiscard]] Figure studyBoxPlot(const AnalysisResult& result, std::size_t measure, Numbering& figures);

@@ -8,6 +8,7 @@
 #include "ratings.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
 #include "sections.hpp"
 
 namespace deixis::results {
@@ -132,8 +133,8 @@ std::string pairTables(const AnalysisResult& result, const std::string& where, N
 
 std::string studyTestsHtml(const AnalysisResult& study, Numbering& numbering) {
     if (study.participants < 2)
-        return fmt::format("<p>In {} one participant answered: there is nothing to test.</p>",
-                           escapeHtml(study.table.study_name));
+        return paragraphHtml(fmt::format("In {} one participant answered: there is nothing to test.",
+                                         escapeHtml(study.table.study_name)));
     const std::string where = " in " + study.table.study_name;
     // One after another: the tables count.
     std::string out = omnibusTable(study, where, numbering);
@@ -143,13 +144,14 @@ std::string studyTestsHtml(const AnalysisResult& study, Numbering& numbering) {
     return out + authorTrialsHtml(study, where, numbering);
 }
 
-std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
+Section testsSection(const AnalysisResult& result, Numbering& numbering) {
     const std::string where = result.by_study.empty() ? "" : ", all studies pooled";
-    std::string out = fmt::format("<h2>Tests{}</h2>", where);
+    const std::string heading = "Tests" + where;
     if (result.participants < 2)
-        return out +
-               "<p>The tests compare participants' means over participants. With one participant there is "
-               "nothing to test yet; the tests appear from the second participant on.</p>";
+        return {
+            heading,
+            paragraphHtml("The tests compare participants' means over participants. With one participant "
+                          "there is nothing to test yet; the tests appear from the second participant on.")};
     std::string html = omnibusTable(result, where, numbering);
     html += pairTables(result, where, numbering);
     const Table level_tests = tables::levelTests(result);
@@ -163,7 +165,7 @@ std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
     html += equivalenceHtml(result, numbering);
     html += preferenceTable(result, where, numbering);
     html += authorTrialsHtml(result, where, numbering);
-    return html.empty() ? "" : out + html;
+    return {heading, html};
 }
 
 }  // namespace deixis::results

@@ -5,12 +5,13 @@
 
 #include "results/analysis/analysis.hpp"
 #include "results/page/number_text.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 
 /// The section with its heading: Friedman's test over all systems, all pairs of systems, the levels within
 /// systems, preferences. Empty where nothing can be compared.
-[[nodiscard]] std::string testsHtml(const AnalysisResult& result, Numbering& numbering);
+[[nodiscard]] Section testsSection(const AnalysisResult& result, Numbering& numbering);
 
 /// The tests of one of several studies: all systems, their pairs, preferences. Empty where nothing can be
 /// compared.

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "claims.hpp"
 #include "figures.hpp"
@@ -21,67 +23,63 @@ bool anySimulated(const ReproductionInput& input) {
 std::string lead(const ReproductionInput& input, const std::vector<Claim>& claims) {
     const auto agree =
         std::ranges::count_if(claims, [](const Claim& one) { return one.verdict == Verdict::agrees; });
-    std::string out = fmt::format(
-        "<p class=\"lead\">Of the paper&#8217;s claims, looked at {} times (each on every grid and by every "
-        "kind of participants), {} came out here, too.</p>",
-        claims.size(), agree);
+    const std::string out = paragraphHtml(
+        fmt::format("Of the paper\u2019s claims, looked at {} times (each on every grid and by every kind of "
+                    "participants), {} came out here, too.",
+                    claims.size(), agree),
+        ParagraphLook::lead);
     std::string synthetic =
         "The demonstrations are synthetic, so all systems learned from formulas, not from people";
     if (anySimulated(input))
         synthetic +=
             ", and all participants are simulated: their answers follow from assumptions and say nothing "
             "about people";
-    return out + "<p class=\"synthetic\"><b>Synthetic:</b> " + synthetic +
-           ". No number of ours stands for one of the paper&#8217;s; what can be compared is what follows "
-           "from its methods.</p>";
+    return out + titledParagraph("Synthetic:",
+                                 synthetic +
+                                     ". No number of ours stands for one of the paper\u2019s; what can be "
+                                     "compared is what follows from its methods.",
+                                 ParagraphLook::synthetic);
 }
 
 /// Each claim once, and under it what came out, by each grid and kind of participants.
-std::string claimsSection(const std::vector<Claim>& claims) {
-    std::vector<std::pair<const Claim*, std::string>> items;
+Section claimsSection(const std::vector<Claim>& claims) {
+    Json listed = Json::array(), reasons = Json::array();
+    std::map<std::string, std::size_t> place_of_claim;
+    std::map<std::string, std::set<std::string>> claims_of_reason;  // one may stand for several
     for (const Claim& one : claims) {
-        auto found =
-            std::ranges::find_if(items, [&](const auto& item) { return item.first->claim == one.claim; });
-        if (found == items.end())
-            found = items.insert(
-                items.end(),
-                {&one, fmt::format("<b>{}</b> (section {}; the paper: {})<ul>", escapeHtml(one.claim),
-                                   escapeHtml(one.section), escapeHtml(one.paper))});
-        found->second +=
-            fmt::format("<li><b>{}</b>, {}: {}</li>", one.verdict == Verdict::agrees ? "Agrees" : "Differs",
-                        escapeHtml(one.where), escapeHtml(one.ours));
-    }
-    std::vector<std::string> listed;
-    for (const auto& [claim, html] : items) listed.push_back(html + "</ul>");
-    std::string out = "\n<h2>What agrees and what does not</h2>" + itemsHtml(listed);
-    // One reason may stand for several claims.
-    std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
-    for (const Claim& one : claims) {
+        const auto [place, fresh] = place_of_claim.try_emplace(one.claim, listed.size());
+        if (fresh)
+            listed.push_back({{"claim", one.claim},
+                              {"section", one.section},
+                              {"paper", one.paper},
+                              {"found", Json::array()}});
+        listed[place->second]["found"].push_back(
+            {{"verdict", one.verdict == Verdict::agrees ? "Agrees" : "Differs"},
+             {"where", one.where},
+             {"ours", one.ours}});
         if (one.why.empty()) continue;
-        auto found =
-            std::ranges::find_if(reasons, [&](const auto& reason) { return reason.first == one.why; });
-        if (found == reasons.end()) found = reasons.insert(reasons.end(), {one.why, {}});
-        if (std::ranges::find(found->second, one.claim) == found->second.end())
-            found->second.push_back(one.claim);
+        auto& of_reason = claims_of_reason[one.why];
+        if (of_reason.empty()) reasons.push_back({{"why", one.why}, {"claims", ""}});
+        if (!of_reason.insert(one.claim).second) continue;
+        for (Json& reason : reasons)
+            if (reason.at("why") == one.why) {
+                const std::string before = reason.at("claims");
+                reason["claims"] = before.empty() ? one.claim : before + " " + one.claim;
+            }
     }
-    std::vector<std::string> why_not;
-    for (const auto& [why, of] : reasons) {
-        std::string claims_text;
-        for (const std::string& claim : of)
-            claims_text += (claims_text.empty() ? "" : " ") + escapeHtml(claim);
-        why_not.push_back("<i>" + claims_text + "</i> " + escapeHtml(why));
-    }
-    if (!why_not.empty()) out += "<p><b>Why not.</b> As far as is known:</p>" + itemsHtml(why_not);
-    return out;
+    Json values{{"claims", listed}};
+    if (!reasons.empty()) values["why_not"] = {{"reasons", reasons}};
+    return {"What agrees and what does not", filled("claims.mustache", values)};
 }
 
-std::string objectiveSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
-    if (input.grids.empty()) return "";
+Section objectiveSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+    if (input.grids.empty()) return {};
     using Row = GridFigures::System;
-    std::string out =
-        "\n<h2>Objective evaluation</h2>\n<p class=\"small intro\">Equation&#160;2 of each system&#8217;s "
-        "clips at test points that it was not trained on (the paper&#8217;s Figure&#160;9 and Table&#160;2). "
-        "The paper calls its grid uniform and also spherical; both are here.</p>";
+    const std::string intro = paragraphHtml(
+        "Equation\u00a02 of each system\u2019s clips at test points that it was not trained on (the "
+        "paper\u2019s Figure\u00a09 and Table\u00a02). The paper calls its grid uniform and also spherical; "
+        "both are here.",
+        ParagraphLook::intro);
     std::string drawn, written;
     for (const GridFigures& grid : input.grids) {
         drawn += figureHtml(
@@ -122,7 +120,7 @@ std::string objectiveSection(const ReproductionInput& input, Numbering& figures,
                 grid.points, grid.grid, grid.training_targets),
             tables, dense_table);
     }
-    return out + figuresPlaced(drawn) + written;
+    return {"Objective evaluation", intro + figuresPlaced(drawn) + written};
 }
 
 /// Behind the others, a column for each kind of participants.
@@ -209,8 +207,8 @@ std::string ceilingHtml(const CeilingFigures& ceiling, Numbering& tables) {
     return out;
 }
 
-std::string studySection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
-    if (input.studies.empty()) return "";
+Section studySection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+    if (input.studies.empty()) return {};
     double least = 1.0, most = 0.0;
     for (const PaperSystem& paper : paper_systems) {
         double low = 2.0, high = -1.0;
@@ -224,12 +222,13 @@ std::string studySection(const ReproductionInput& input, Numbering& figures, Num
         least = std::min(least, high - low);
         most = std::max(most, high - low);
     }
-    std::string out = fmt::format(
-        "\n<h2>The study</h2>\n<p class=\"small intro\">{} participants each{}. The same clips were seen by "
-        "all; the kinds differ in how they read an arm. That alone moves a system&#8217;s share of right "
-        "choices by {} to {} percentage points (the paper&#8217;s Figure&#160;7 and Table&#160;1).</p>",
-        input.studies.front().participants, anySimulated(input) ? ", simulated" : "",
-        fixedText(100.0 * least, 0), fixedText(100.0 * most, 0));
+    std::string out = paragraphHtml(
+        fmt::format("{} participants each{}. The same clips were seen by all; the kinds differ in how they "
+                    "read an arm. That alone moves a system\u2019s share of right choices by {} to {} "
+                    "percentage points (the paper\u2019s Figure\u00a07 and Table\u00a01).",
+                    input.studies.front().participants, anySimulated(input) ? ", simulated" : "",
+                    fixedText(100.0 * least, 0), fixedText(100.0 * most, 0)),
+        ParagraphLook::intro);
     // One after another: the figures count.
     std::string drawn;
     for (const char* measure : {"accuracy", "naturalness"})
@@ -239,9 +238,9 @@ std::string studySection(const ReproductionInput& input, Numbering& figures, Num
     if (input.ceiling) out += ceilingHtml(*input.ceiling, tables);
     out += tableHtml(scoresTable(input, "naturalness"), "Naturalness from 1 to 5, mean over participants.",
                      tables);
-    return out + tableHtml(layoutsTable(input),
-                           "Share of right choices by layout, \u00b1 the standard deviation over answers.",
-                           tables);
+    out += tableHtml(layoutsTable(input),
+                     "Share of right choices by layout, \u00b1 the standard deviation over answers.", tables);
+    return {"The study", out};
 }
 
 /// An SVG picture without the size in which it is drawn alone.
@@ -253,72 +252,75 @@ std::string asWideAsThePage(std::string svg) {
     return svg.replace(width, after - width, " style=\"width:100%;height:auto\"");
 }
 
-std::string demonstrationsSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+Section demonstrationsSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
     const auto compared = compareHands(input.demonstrations);
-    if (compared.empty() && input.targets_svg.empty()) return "";
-    std::string out = "\n<h2>Demonstrations</h2>";
+    std::string out;
     if (!input.targets_svg.empty())
-        out += "<figure id=\"targets\">" + asWideAsThePage(input.targets_svg) + "<figcaption>" +
-               figures.next() +
-               " Targets of the demonstrations (blue) and of the study (red), as in the paper&#8217;s "
-               "Figure&#160;1.</figcaption></figure>";
-    if (compared.empty()) return out;
+        out +=
+            filled("picture.mustache",
+                   {{"name", "targets"},
+                    {"svg", asWideAsThePage(input.targets_svg)},
+                    {"caption", figures.next() +
+                                    " Targets of the demonstrations (blue) and of the study (red), as in the "
+                                    "paper\u2019s Figure\u00a01."}});
     using Row = HandsCompared;
-    return out + tableHtml(tableOf<Row>("hands", units::clips, "",
-                                        {{"measure", &Row::measure},
-                                         {"n_left", &Row::n_left, {.label = "left"}},
-                                         {"n_right", &Row::n_right, {.label = "right"}},
-                                         {"median_left",
-                                          &Row::median_left,
-                                          {.label = "median, left", .format = Format::three_decimals}},
-                                         {"median_right",
-                                          &Row::median_right,
-                                          {.label = "median, right", .format = Format::three_decimals}},
-                                         {"p", &Row::p},
-                                         {"p_holm", &Row::p_holm}},
-                                        compared),
-                           "Demonstrations by hand, of which the paper has 25 by the left and 27 by the "
-                           "right; exact rank-sum tests, two-sided, and Holm\u2019s correction over both.",
-                           tables);
+    if (!compared.empty())
+        out += tableHtml(tableOf<Row>("hands", units::clips, "",
+                                      {{"measure", &Row::measure},
+                                       {"n_left", &Row::n_left, {.label = "left"}},
+                                       {"n_right", &Row::n_right, {.label = "right"}},
+                                       {"median_left",
+                                        &Row::median_left,
+                                        {.label = "median, left", .format = Format::three_decimals}},
+                                       {"median_right",
+                                        &Row::median_right,
+                                        {.label = "median, right", .format = Format::three_decimals}},
+                                       {"p", &Row::p},
+                                       {"p_holm", &Row::p_holm}},
+                                      compared),
+                         "Demonstrations by hand, of which the paper has 25 by the left and 27 by the "
+                         "right; exact rank-sum tests, two-sided, and Holm\u2019s correction over both.",
+                         tables);
+    return {"Demonstrations", out};
 }
 
-std::string trainedSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
-    if (input.trained.empty()) return "";
+Section trainedSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+    if (input.trained.empty()) return {};
     using Row = TrainedSystem;
-    std::string out = "\n<h2>What was trained</h2>";
+    std::string out;
     const auto in_cm = [](const Row& one) -> std::optional<double> {
         return one.arm_error_m ? std::optional(100.0 * *one.arm_error_m) : std::nullopt;
     };
     if (!input.grids.empty())
         out += figuresPlaced(figureHtml(accuracyAndImitation(input, figures)), FigurePlace::single);
-    return out +
-           tableHtml(
-               tableOf<Row>("trained", units::targets, "",
-                            {{"system", &Row::system},
-                             {"numbers", &Row::numbers, {.label = "numbers"}},
-                             {"bytes", &Row::bytes, {.label = "bytes"}},
-                             {"rewarded", &Row::rewarded, {.label = "rewarded"}},
-                             {"reward", &Row::reward, {.label = "reward", .format = Format::three_decimals}},
-                             {"jerk", &Row::jerk_ratio, {.label = "jerk", .format = Format::plain}},
-                             {"at_rest", &Row::at_rest, {.label = "at rest", .format = Format::percent}},
-                             {"arm_error", in_cm, {.label = "arm (cm)", .format = Format::one_decimal}},
-                             {"trained_by", &Row::trained_by, {.label = "trained by"}}},
-                            input.trained),
-               "What each system has learned, as its file says: how many numbers, what a policy was rewarded "
-               "for (Eq. 2 of which line), and of held-out targets that reward, the hand\u2019s jerk over "
-               "the demonstrations\u2019, the share of clips that end at rest, and how far elbow and wrist "
-               "are from the demonstration\u2019s. The paper gives no sizes.",
-               tables, dense_table);
+    out += tableHtml(
+        tableOf<Row>("trained", units::targets, "",
+                     {{"system", &Row::system},
+                      {"numbers", &Row::numbers, {.label = "numbers"}},
+                      {"bytes", &Row::bytes, {.label = "bytes"}},
+                      {"rewarded", &Row::rewarded, {.label = "rewarded"}},
+                      {"reward", &Row::reward, {.label = "reward", .format = Format::three_decimals}},
+                      {"jerk", &Row::jerk_ratio, {.label = "jerk", .format = Format::plain}},
+                      {"at_rest", &Row::at_rest, {.label = "at rest", .format = Format::percent}},
+                      {"arm_error", in_cm, {.label = "arm (cm)", .format = Format::one_decimal}},
+                      {"trained_by", &Row::trained_by, {.label = "trained by"}}},
+                     input.trained),
+        "What each system has learned, as its file says: how many numbers, what a policy was rewarded "
+        "for (Eq. 2 of which line), and of held-out targets that reward, the hand\u2019s jerk over "
+        "the demonstrations\u2019, the share of clips that end at rest, and how far elbow and wrist "
+        "are from the demonstration\u2019s. The paper gives no sizes.",
+        tables, dense_table);
+    return {"What was trained", out};
 }
 
-std::string provenance(const ReproductionInput& input) {
+Section provenance(const ReproductionInput& input) {
     std::vector<Fact> facts{{"Program", escapeHtml(input.program)}};
     for (const GridFigures& one : input.grids) facts.push_back({"Evaluation", escapeHtml(one.file)});
     if (input.ceiling) facts.push_back({"Evaluation", escapeHtml(input.ceiling->file)});
     for (const StudyFigures& one : input.studies) facts.push_back({"Study", escapeHtml(one.file)});
     for (const std::string& one : input.pages)
-        facts.push_back({"More", fmt::format("<a href=\"{0}\">{0}</a>", escapeHtml(one))});
-    return "\n<h2>Where the numbers come from</h2>" + factsHtml(facts);
+        facts.push_back({"More", filled("link.mustache", {{"to", one}})});
+    return {"Where the numbers come from", factsHtml(facts)};
 }
 
 }  // namespace
@@ -327,13 +329,15 @@ std::string renderReproduction(const ReproductionInput& input) {
     const std::vector<Claim> claims = paperClaims(input);
     Numbering figures("Figure");
     Numbering tables;
-    std::string sections = claimsSection(claims);
-    sections += objectiveSection(input, figures, tables);
-    sections += studySection(input, figures, tables);
-    sections += demonstrationsSection(input, figures, tables);
-    sections += trainedSection(input, figures, tables);
+    // One after another: figures and tables count.
+    std::vector<Section> sections{claimsSection(claims)};
+    sections.push_back(objectiveSection(input, figures, tables));
+    sections.push_back(studySection(input, figures, tables));
+    sections.push_back(demonstrationsSection(input, figures, tables));
+    sections.push_back(trainedSection(input, figures, tables));
+    sections.push_back(provenance(input));
     const std::string title = "Deichler et al. (2023), and the same here";
-    return withContents(pageStart(title, title) + lead(input, claims), sections + provenance(input)) +
+    return withContents(pageStart(title, title) + lead(input, claims), std::move(sections)) +
            pageEnd("The tables have the figures' numbers.");
 }
 

@@ -76,7 +76,7 @@ TEST_SUITE("app/simulate") {
         CHECK(out["data"]["answers"] == 30 * (12 - n));
         const nlohmann::json& sensitivity = out["sensitivity"];
         CHECK(sensitivity["with_left_out"]["participants"] == 12);
-        CHECK(contains(slurp(scratch / "r.html"), "the same side in at least 56&#160;% of the pairs"));
+        CHECK(contains(slurp(scratch / "r.html"), "the same side in at least 56\u00a0% of the pairs"));
         // Nothing of it is in the database: nobody is excluded there.
         CHECK(shell("sqlite3 -readonly " + db +
                     " \"SELECT count(*) FROM participants WHERE status <> 'active'\"")

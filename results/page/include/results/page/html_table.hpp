@@ -42,8 +42,6 @@ inline const TableLook dense_table{true};
                                       const std::vector<Shown>& shown, const TableLook& look);
 /// HTML folded away.
 [[nodiscard]] std::string folded(const std::string& summary, const std::string& html);
-/// A sentence below a table, text.
-[[nodiscard]] std::string noteHtml(const std::string& text);
 
 /// How a cell stands on a page, text.
 [[nodiscard]] std::string cellText(const Column& column, const Cell& cell, bool percent);

@@ -23,7 +23,7 @@ constexpr const char* dash = "&#8211;";
 class Numbering {
   public:
     explicit Numbering(const char* what = "Table") : what_(what) {}
-    std::string next() { return fmt::format("<b>{} {}.</b>", what_, ++last_); }
+    std::string next() { return strongHtml(fmt::format("{} {}.", what_, ++last_)); }
     /// The last one's, "Table 3".
     [[nodiscard]] std::string name() const { return fmt::format("{} {}", what_, last_); }
 

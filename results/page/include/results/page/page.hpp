@@ -19,11 +19,29 @@ struct Fact {
 [[nodiscard]] std::string listHtml(const std::vector<std::string>& texts);
 /// A list of HTML; what is empty is passed over.
 [[nodiscard]] std::string itemsHtml(std::vector<std::string> items);
-/// A section; empty if there are none.
-[[nodiscard]] std::string remarksHtml(const std::vector<std::string>& remarks);
-/// Both, with a list of the sections' headings (h2, HTML without attributes) between them, which leads to
-/// them.
-[[nodiscard]] std::string withContents(const std::string& lead, const std::string& sections);
+
+enum class ParagraphLook : unsigned char {
+    plain,
+    lead,       ///< below the page's heading
+    intro,      ///< smaller, before figures or tables
+    small,      ///< below them
+    synthetic,  ///< a warning that numbers are not of people, or motion not recorded
+};
+[[nodiscard]] std::string paragraphHtml(const std::string& html, ParagraphLook look = ParagraphLook::plain);
+/// It begins with its title, bold text, which has its own full stop or colon.
+[[nodiscard]] std::string titledParagraph(const std::string& title, const std::string& html,
+                                          ParagraphLook look = ParagraphLook::plain);
+/// A sentence below a table, text.
+[[nodiscard]] std::string noteHtml(const std::string& text);
+
+/// A part of a page under a heading of its own, which is text. Not shown where `html` is empty.
+struct Section {
+    std::string heading;
+    std::string html;
+};
+[[nodiscard]] Section remarksSection(const std::vector<std::string>& remarks);
+/// The lead, a list of the sections' headings that leads to them, and the sections.
+[[nodiscard]] std::string withContents(const std::string& lead, std::vector<Section> sections);
 /// With what draws the figures. `elsewhere`: the sentence that tells where their numbers are where JavaScript
 /// is off.
 [[nodiscard]] std::string pageEnd(const std::string& elsewhere);

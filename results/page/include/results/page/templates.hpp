@@ -18,4 +18,7 @@ namespace deixis::results {
 /// Safe as text and as an attribute's value, in HTML and XML.
 [[nodiscard]] std::string escapeHtml(std::string_view text);
 
+/// A text in bold.
+[[nodiscard]] std::string strongHtml(const std::string& text);
+
 }  // namespace deixis::results
