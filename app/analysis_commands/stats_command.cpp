@@ -8,6 +8,7 @@
 #include "app/analysis_commands/analysis_commands.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "stats_points.hpp"
 #include "stats_table.hpp"
 #include "stats_tests.hpp"
@@ -113,7 +114,7 @@ Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& o
             table->rounded));
     if (table->decimal_commas) addNote("commas in numbers were read as decimal points");
     if (options.json)
-        fmt::print("{}\n", found->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        printAsJson(*found);
     else
         printText(*found, 0);
     return {};

@@ -10,6 +10,7 @@
 #include "app/clips/clip_problems.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "clips_commands.hpp"
 #include "import_options.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -88,7 +89,7 @@ void printJson(const std::string& file, const assets::ImportedClip& imported,
           {"missing", motion::missingBones(map)}}},
         {"remarks", imported.remarks}};
     // Names that are not UTF-8 get a replacement character.
-    fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    printAsJson(out);
 }
 
 void printText(const std::string& file, const assets::ImportedClip& imported,

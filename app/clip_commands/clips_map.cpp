@@ -6,6 +6,7 @@
 
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "assets/joints/clip_import.hpp"
 #include "assets/tables/humanoid_file.hpp"
 #include "clips_commands.hpp"
@@ -43,7 +44,7 @@ void printJson(const motion::HumanoidMapping& mapping, const motion::Skeleton& s
     for (const motion::Bone bone : mapping.missing()) missing.push_back(std::string(motion::boneName(bone)));
     out["remarks"] = mapping.remarks;
     out["doubts"] = warnings;
-    fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    printAsJson(out);
 }
 
 void printTable(const motion::HumanoidMapping& mapping, const motion::Skeleton& skeleton,

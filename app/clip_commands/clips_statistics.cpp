@@ -13,6 +13,7 @@
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/progress_line.hpp"
+#include "app/program/written_output.hpp"
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
 #include "motion/gestures/gesture_style.hpp"
@@ -254,7 +255,7 @@ Result<void> statistics(const ClipsStatisticsArguments& options) {
     working.reset();
     if (!found) return tl::unexpected(found.error());
     if (options.json)  // what is not UTF-8 in a file's name must not stop the output
-        fmt::print("{}\n", asJson(*found, options).dump(2, ' ', false, Json::error_handler_t::replace));
+        printAsJson(asJson(*found, options));
     else
         print(*found, options);
     return {};

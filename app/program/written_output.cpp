@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "core/files.hpp"
@@ -54,6 +55,10 @@ Result<void> writeOutput(const std::string& file, std::string_view bytes) {
     if (file != standard_output) return writeFile(file, bytes);
     fmt::print("{}", bytes);
     return {};
+}
+
+void printAsJson(const nlohmann::ordered_json& json) {
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 bool isDatabase(const std::string& file) {

@@ -6,11 +6,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/clips/study_clips.hpp"
 #include "app/clips/study_setup.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "app/study/angles_text.hpp"
 #include "app/study/visibility_text.hpp"
 #include "app/study_commands/study_commands.hpp"
@@ -90,10 +93,68 @@ std::vector<std::string> warningsOf(const studies::Study& study) {
     return out;
 }
 
-Result<void> failWith(const std::string& study, const std::vector<Error>& problems) {
-    for (const Error& problem : problems) fmt::print(stderr, "{}\n", problem.text());
+using Json = nlohmann::ordered_json;
+
+Result<void> failWith(const std::string& study, const std::vector<Error>& problems, bool json) {
+    Json listed = Json::array();
+    for (const Error& problem : problems)
+        if (json)
+            listed.push_back(
+                {{"where", problem.where}, {"message", problem.message}, {"hint", problem.hint}});
+        else
+            fmt::print(stderr, "{}\n", problem.text());
+    if (json) printAsJson({{"study", study}, {"problems", listed}});
     return fail(study,
                 fmt::format("has {} {}", problems.size(), problems.size() == 1 ? "problem" : "problems"));
+}
+
+/// What a participant meets in a stage.
+struct StageContents {
+    std::string name;
+    std::string kind;  ///< or "practice"
+    int trials = 0;
+    int clips = 0;
+    int attention_checks = 0;
+};
+
+std::vector<StageContents> contentsOf(const studies::Study& study, const studies::StudyPlan& plan) {
+    std::vector<StageContents> out;
+    for (const std::string& name : plan.stages) {
+        const studies::Stage& stage = *study.findStage(name);
+        StageContents& of = out.emplace_back();
+        of.name = name;
+        of.kind = stage.practice ? "practice" : studies::stageKindName(stage.kind);
+        for (const auto& trial : plan.trials) {
+            if (trial.stage != name) continue;
+            ++of.trials;
+            of.clips += static_cast<int>(trial.stimuli.size());
+            of.attention_checks += trial.check.has_value();
+        }
+    }
+    return out;
+}
+
+void describeInJson(const StudySetup& setup, const std::vector<studies::StudyPlan>& plans) {
+    const studies::Study& study = setup.study;
+    Json languages = Json::object(), participants = Json::array();
+    for (std::size_t i = 0; i < study.languages.size(); ++i)
+        languages[study.languages[i]] = {{"words", studies::textStatusText(study.language_status[i].words)},
+                                         {"texts", studies::textStatusText(study.language_status[i].texts)}};
+    for (const studies::StudyPlan& plan : plans) {
+        Json stages = Json::array();
+        for (const StageContents& one : contentsOf(study, plan))
+            stages.push_back({{"stage", one.name},
+                              {"kind", one.kind},
+                              {"trials", one.trials},
+                              {"clips", one.clips},
+                              {"attention_checks", one.attention_checks}});
+        participants.push_back({{"groups", plan.groups}, {"stages", stages}});
+    }
+    printAsJson({{"study", study.file.string()},
+                 {"problems", Json::array()},
+                 {"doubts", warningsOf(study)},
+                 {"languages", languages},
+                 {"participants", participants}});
 }
 
 void describe(const StudySetup& setup, const assets::Avatar& avatar,
@@ -112,19 +173,13 @@ void describe(const StudySetup& setup, const assets::Avatar& avatar,
         std::string cell;
         for (const auto& [factor, level] : plan.groups) cell += fmt::format(" {} = {}", factor, level);
         fmt::print("a participant{}{}:\n", cell.empty() ? "" : " with", cell);
-        for (const std::string& name : plan.stages) {
-            int trials = 0, stimuli = 0, checks = 0;
-            for (const auto& trial : plan.trials) {
-                if (trial.stage != name) continue;
-                ++trials;
-                stimuli += static_cast<int>(trial.stimuli.size());
-                checks += trial.check.has_value();
-            }
-            const studies::Stage& stage = *study.findStage(name);
-            fmt::print("  {} ({})", name, stage.practice ? "practice" : studies::stageKindName(stage.kind));
-            if (stimuli > 0)
-                fmt::print(": {} trials, {} clips{}", trials, stimuli,
-                           checks > 0 ? fmt::format(", {} attention checks", checks) : "");
+        for (const StageContents& one : contentsOf(study, plan)) {
+            fmt::print("  {} ({})", one.name, one.kind);
+            if (one.clips > 0)
+                fmt::print(": {} trials, {} clips{}", one.trials, one.clips,
+                           one.attention_checks > 0
+                               ? fmt::format(", {} attention checks", one.attention_checks)
+                               : "");
             fmt::print("\n");
         }
     }
@@ -142,9 +197,9 @@ void describe(const StudySetup& setup, const assets::Avatar& avatar,
     fmt::print("{}{}", visibilityText(setup, avatar), anglesText(setup));
 }
 
-Result<void> check(const std::string& name) {
+Result<void> check(const std::string& name, bool json) {
     const auto setup = checkStudySetup(name);
-    if (!setup) return failWith(name, setup.error());
+    if (!setup) return failWith(name, setup.error(), json);
     std::vector<Error> problems;
     const auto avatar = loadStudyAvatar(setup->study);
     if (!avatar) problems.push_back(avatar.error());
@@ -154,7 +209,11 @@ Result<void> check(const std::string& name) {
         problems.push_back(std::move(problem));
     const auto plans = plansOf(*setup);
     if (!plans) problems.push_back(plans.error());
-    if (!problems.empty()) return failWith(name, problems);
+    if (!problems.empty()) return failWith(name, problems, json);
+    if (json) {
+        describeInJson(*setup, *plans);
+        return {};
+    }
     describe(*setup, *avatar, *plans);
     for (const std::string& warning : warningsOf(setup->study)) fmt::print("doubtful: {}\n", warning);
     return {};
@@ -164,12 +223,14 @@ Result<void> check(const std::string& name) {
 
 void addCheckCommand(Parser cli, Command& chosen) {
     auto study = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
     Parser command = cli.addCommand("check", "Check a study file: every problem, in every language");
     describe(command, {.writes = "nothing; it prints what the study contains, or its mistakes.",
                        .example = "deixis check my-study.toml",
                        .page = "docs/study-file.md"});
     command.addOption("STUDY", *study, "Study file, or the name of one included").required();
-    command.callback([study, &chosen] { chosen = [study] { return check(*study); }; });
+    addJson(command, *json, "Print JSON: problems, doubts, and what each group of participants meets");
+    command.callback([study, json, &chosen] { chosen = [study, json] { return check(*study, *json); }; });
 }
 
 }  // namespace deixis::app

@@ -4,9 +4,12 @@
 
 #include <ctime>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "app/study_commands/study_commands.hpp"
 #include "core/utc.hpp"
 #include "results/participants/participants.hpp"
@@ -20,6 +23,7 @@ struct ParticipantsArguments {
     std::string participant;
     std::string reason;
     bool yes = false;
+    bool json = false;
 };
 
 std::string day(double utc_s) {
@@ -32,9 +36,41 @@ std::string orDash(const std::string& text) {
     return text.empty() ? "-" : text;
 }
 
+using Json = nlohmann::ordered_json;
+
+/// Null where nothing is known.
+Json jsonOf(const results::ParticipantRow& row) {
+    Json out{{"participant", row.id},
+             {"number", row.number},
+             {"status", results::participantStatusName(row.status)},
+             {"reason", row.reason.empty() ? Json() : Json(row.reason)},
+             {"language", row.language},
+             {"groups", row.groups},
+             {"simulated", row.synthetic},
+             {"consent",
+              row.consent == results::Consent::not_asked ? "not asked" : results::consentName(row.consent)},
+             {"sessions", row.sessions},
+             {"answered", row.answered},
+             {"planned", row.planned},
+             {"checks_failed", row.checks_failed}};
+    out["last_seen_utc"] = row.last_utc_s > 0.0
+                               ? Json(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                                                  fmt::gmtime(static_cast<std::time_t>(row.last_utc_s))))
+                               : Json();
+    return out;
+}
+
 Result<void> list(const ParticipantsArguments& options) {
     const auto found = results::listParticipants(options.database);
     if (!found) return tl::unexpected(found.error());
+    if (options.json) {
+        Json rows = Json::array();
+        for (const auto& row : found->rows) rows.push_back(jsonOf(row));
+        printAsJson({{"participants", rows},
+                     {"withdrawn", found->withdrawn},
+                     {"interrupted_withdrawals", found->uncleared}});
+        return {};
+    }
     fmt::print("{:<16} {:>6}  {:<9} {:<8} {:>8} {:>12} {:>13}  {:<9} {:<16}  {}\n", "participant", "number",
                "status", "language", "sessions", "answered", "checks failed", "consent", "last seen (UTC)",
                "groups, remarks");
@@ -67,6 +103,15 @@ Result<void> show(const ParticipantsArguments& options) {
     const auto found = results::showParticipant(options.database, options.participant);
     if (!found) return tl::unexpected(found.error());
     const auto& row = found->row;
+    if (options.json) {
+        Json out = jsonOf(row);
+        out["fields"] = Json::object();
+        for (const auto& [name, value] : found->fields) out["fields"][name] = value;
+        out["session_lines"] = found->sessions;
+        out["event_lines"] = found->events;
+        printAsJson(out);
+        return {};
+    }
     fmt::print("{}: number {}, {}{}\n", row.id, row.number, results::participantStatusName(row.status),
                row.reason.empty() ? "" : fmt::format(" ({})", row.reason));
     fmt::print("language {}, consent {}, {} of {} trials and pages answered, {} attention checks failed{}\n",
@@ -139,16 +184,17 @@ void addParticipantsCommand(Parser cli, Command& chosen) {
         command.callback([options, act, &chosen] { chosen = [options, act] { return act(*options); }; });
         return std::make_pair(command, options);
     };
-    add("list", "List all participants of a database",
-        {.writes = "nothing; it prints the list.",
-         .example = "deixis participants list study.sqlite",
-         .page = "docs/running-a-study.md"},
-        false, list);
-    add("show", "Show one participant: fields, sessions, events",
-        {.writes = "nothing; it prints what is stored.",
-         .example = "deixis participants show study.sqlite P07",
-         .page = "docs/running-a-study.md"},
-        true, show);
+    const auto addJsonTo = [](const auto& added) { addJson(added.first, added.second->json, "Print JSON"); };
+    addJsonTo(add("list", "List all participants of a database",
+                  {.writes = "nothing; it prints the list.",
+                   .example = "deixis participants list study.sqlite",
+                   .page = "docs/running-a-study.md"},
+                  false, list));
+    addJsonTo(add("show", "Show one participant: fields, sessions, events",
+                  {.writes = "nothing; it prints what is stored.",
+                   .example = "deixis participants show study.sqlite P07",
+                   .page = "docs/running-a-study.md"},
+                  true, show));
     const auto [exclude_command, excluded] =
         add("exclude", "Take a participant's answers out of the analysis; they are kept",
             {.writes = "to the database, with the reason.",

@@ -1,9 +1,11 @@
 // check, plan, simulate, participants, export, merge and replay --list: the real program on the studies that
 // ship.
+#include <map>
 #include <set>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include "csv_table.hpp"
 #include "program.hpp"
 #include "schema_check.hpp"
 #include "text.hpp"
@@ -74,6 +76,25 @@ TEST_SUITE("app/study_commands") {
         CHECK(contains(checked.err, "seed"));
         CHECK(contains(checked.err, "ball_diameter_m"));
         CHECK(contains(checked.err, "problems"));
+        const auto listed = program("check " + (scratch / "bad.toml") + " --json");
+        CHECK(listed.status == 1);
+        const auto problems = nlohmann::json::parse(listed.out).at("problems");
+        CHECK(problems.size() == 3);
+        for (const auto& problem : problems)
+            CHECK(contains(checked.err, problem.at("where").get<std::string>() + ": " +
+                                            problem.at("message").get<std::string>()));
+    }
+
+    TEST_CASE("What participants meet is told as JSON, as the plan has it") {
+        const auto checked = nlohmann::json::parse(program("check pointing-style --json").out);
+        CHECK(checked.at("problems").empty());
+        std::map<std::string, int> told, planned;
+        for (const auto& stage : checked.at("participants").at(0).at("stages"))
+            told[stage.at("stage").get<std::string>()] = stage.at("trials").get<int>();
+        const auto plan = nlohmann::json::parse(program("plan pointing-style --participant P1 --json").out);
+        for (const auto& trial : plan.at("trials")) ++planned[trial.at("stage").get<std::string>()];
+        std::erase_if(told, [](const auto& one) { return one.second == 0; });
+        CHECK(told == planned);
     }
 
     TEST_CASE(
@@ -175,6 +196,24 @@ TEST_SUITE("app/study_commands") {
         CHECK(program("participants exclude " + database + " S002").status == 2);
         CHECK(program("participants exclude " + database + " S002 --reason 'fell asleep'").status == 0);
         CHECK(contains(program("participants list " + database).out, "(fell asleep)"));
+        const auto numbers = nlohmann::json::parse(program("participants list " + database + " --json").out);
+        CHECK(numbers.at("participants").size() == 3);
+        const auto& second = numbers.at("participants").at(1);
+        CHECK(second.at("participant") == "S002");
+        CHECK(second.at("status") == "excluded");
+        CHECK(second.at("reason") == "fell asleep");
+        CHECK(numbers.at("participants").at(0).at("reason").is_null());
+        CHECK(
+            second.at("answered") ==
+            count(database, "SELECT count(DISTINCT trial_index) FROM responses WHERE participant = 'S002'"));
+        const auto one = nlohmann::json::parse(program("participants show " + database + " S002 --json").out);
+        CHECK(one.at("planned") == second.at("planned"));
+        CHECK(one.at("fields").at("age").get<std::string>() ==
+              SQLite::Database(database, SQLite::OPEN_READONLY)
+                  .execAndGet(
+                      "SELECT CAST(value AS INTEGER) FROM participant_fields WHERE participant = 'S002' "
+                      "AND field = 'age'")
+                  .getString());
         REQUIRE(program("report " + database + " -o " + (scratch / "r.html")).status == 0);
         CHECK(contains(slurp(scratch / "r.html"), "fell asleep"));
         CHECK(program("participants include " + database + " S002").status == 0);
@@ -196,6 +235,18 @@ TEST_SUITE("app/study_commands") {
         for (const char* file :
              {"responses.csv", "trials.csv", "participants.csv", "events.csv", "codebook.json"})
             CHECK(fs::exists(scratch / (std::string("csv/") + file)));
+        // What the game declares to keep of a trial are columns, as in its view.
+        const CsvTable trials(slurp(scratch / "csv/trials.csv"));
+        int places = 0, with_place = 0;
+        for (std::size_t i = 0; i < trials.rows.size(); ++i)
+            if (const std::string& place = trials.cell(i, "target_place"); !place.empty()) {
+                places += std::stoi(place);
+                ++with_place;
+                CHECK(trials.cell(i, "balls").starts_with("[["));
+                CHECK(trials.cell(i, "distractors").starts_with("[["));
+            }
+        CHECK(with_place == count(database, "SELECT count(*) FROM game_trials"));
+        CHECK(places == count(database, "SELECT sum(target_place) FROM game_trials"));
         const auto shared = program("export " + database + " --anonymise -o " + (scratch / "shared"));
         REQUIRE(shared.status == 0);
         CHECK_FALSE(contains(slurp(scratch / "shared/responses.csv"), "S001"));

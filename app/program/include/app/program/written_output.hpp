@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,9 @@ inline constexpr const char* standard_output = "-";
 
 /// `file` may be standard_output.
 [[nodiscard]] Result<void> writeOutput(const std::string& file, std::string_view bytes);
+
+/// On standard output, with a line for each value; bytes that are no UTF-8 are replaced.
+void printAsJson(const nlohmann::ordered_json& json);
 
 /// By the letters that every database of SQLite begins with.
 [[nodiscard]] bool isDatabase(const std::string& file);
