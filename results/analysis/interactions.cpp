@@ -2,9 +2,12 @@
 // differences, in which what a participant, a level and another level add by themselves cancels.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
+#include "core/parallel.hpp"
 #include "results/analysis/analysis_steps.hpp"
 #include "results/analysis/tests.hpp"
 #include "results/statistics/descriptive.hpp"
@@ -91,27 +94,47 @@ void forPairs(std::size_t n, const Visit& visit) {
         for (std::size_t j = i + 1; j < n; ++j) visit(i, j);
 }
 
+struct Contrast {
+    InteractionResult result;
+    std::vector<Rational> differences;
+};
+
+void testContrasts(std::vector<Contrast>& contrasts, double level) {
+    constexpr std::size_t many_participants = 200;  // whose exact tests take milliseconds
+    const bool large = std::any_of(contrasts.begin(), contrasts.end(), [](const Contrast& one) {
+        return one.differences.size() >= many_participants;
+    });
+    forRanges(contrasts.size(), large ? 1 : contrasts.size() + 1, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+            Contrast& one = contrasts[i];
+            one.result.mean_difference = meanOf(one.differences);
+            one.result.test = signedRankTest(one.differences, level);
+            one.result.normality = shapiroWilk(one.differences);
+        }
+    });
+}
+
 void testWithin(const Measure& measure, const Factor& first, const Factor& second, AnalysisResult& result) {
     CrossedMeans means = crossedMeans(result.table, measure, first, second);
     const std::size_t family = result.interactions.size();
+    std::vector<Contrast> contrasts;
     forPairs(first.levels.size(), [&](std::size_t a, std::size_t b) {
         forPairs(second.levels.size(), [&](std::size_t c, std::size_t d) {
-            InteractionResult one;
-            one.measure = measure.name;
-            one.factor = first.name;
-            one.a = first.levels[a];
-            one.b = first.levels[b];
-            one.other_factor = second.name;
-            one.c = second.levels[c];
-            one.d = second.levels[d];
-            const auto differences = differencesOfDifferences(means, one);
-            if (differences.empty()) return;  // a factor that is nested in the other one
-            one.mean_difference = meanOf(differences);
-            one.test = signedRankTest(differences, result.level);
-            one.normality = shapiroWilk(differences);
-            result.interactions.push_back(std::move(one));
+            Contrast one;
+            one.result.measure = measure.name;
+            one.result.factor = first.name;
+            one.result.a = first.levels[a];
+            one.result.b = first.levels[b];
+            one.result.other_factor = second.name;
+            one.result.c = second.levels[c];
+            one.result.d = second.levels[d];
+            one.differences = differencesOfDifferences(means, one.result);
+            // Else it is of a factor that is nested in the other one.
+            if (!one.differences.empty()) contrasts.push_back(std::move(one));
         });
     });
+    testContrasts(contrasts, result.level);
+    for (Contrast& one : contrasts) result.interactions.push_back(std::move(one.result));
     adjustFrom(result.interactions, family, fmt::format("{}: {} x {}", measure.name, first.name, second.name),
                result.alpha);
 }
