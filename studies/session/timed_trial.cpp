@@ -36,4 +36,18 @@ void TimedTrial::finish() {
     showDone();
 }
 
+void TimedTrial::beginAiming() {
+    aiming_ = false;
+    showState(PresentedState::choosing);
+}
+
+Aim TimedTrial::aimAtBalls(const InputFrame& input) {
+    const Aim met = core_.view.aim(input.pointer, input.stage_from_head, true);
+    if ((met.ball >= 0) != aiming_) {
+        aiming_ = met.ball >= 0;
+        showState(aiming_ ? PresentedState::aiming : PresentedState::choosing);
+    }
+    return met;
+}
+
 }  // namespace deixis::studies

@@ -22,11 +22,16 @@ class TimedTrial : public ClipTrial {
     /// Ends the trial without an answer once the time is up.
     void watchTime(const InputFrame& input);
     void finish();
+    /// Where the answer is aimed at a ball: shows that none is met yet.
+    void beginAiming();
+    /// What the ray meets; shows when it comes on a ball or leaves it.
+    Aim aimAtBalls(const InputFrame& input);
     /// Shows what was answered and, where it is revealed, what was right.
     virtual void showDone() = 0;
 
   private:
     double feedback_s_;
+    bool aiming_ = false;  ///< the ray is on a ball
 
     [[nodiscard]] double taken_s(double at_s) const {
         return at_s - draft_.motion_end.time_s - draft_.paused_s;

@@ -35,7 +35,6 @@ class GameTrial : public TimedTrial {
     }
 
   private:
-    bool aiming_ = false;  ///< the ray is on a ball
     bool chosen_ = false;
     std::optional<ScaleAnswer> confidence_{};
 
@@ -63,8 +62,7 @@ class GameTrial : public TimedTrial {
             openConfidence(input);
             return;
         }
-        aiming_ = false;
-        showState(PresentedState::choosing);
+        beginAiming();
         if (const auto again = replayButton())
             core_.openPanel(gamePanel(task_.question, again), input, besideBalls());
         else
@@ -85,11 +83,7 @@ class GameTrial : public TimedTrial {
             stepConfidence(input);
             return;
         }
-        const Aim met = core_.view.aim(input.pointer, input.stage_from_head, true);
-        if ((met.ball >= 0) != aiming_) {
-            aiming_ = met.ball >= 0;
-            showState(aiming_ ? PresentedState::aiming : PresentedState::choosing);
-        }
+        const Aim met = aimAtBalls(input);
         if (!gate_.accepts()) return;
         const bool selected = select(input);
         if (selected && met.button == button_id::replay) {

@@ -52,7 +52,6 @@ class PlacementTrial : public TimedTrial {
   private:
     bool held_ = false;
     bool moved_ = false;  ///< it has been put somewhere: there is something to confirm
-    bool aiming_ = false;
     double along_m_ = 0.0;  ///< the ray, while it is held
     Vec3 taken_from_{0.0};
 
@@ -67,8 +66,8 @@ class PlacementTrial : public TimedTrial {
     }
 
     void openAnswer(const InputFrame& input) override {
-        held_ = aiming_ = false;
-        showState(PresentedState::choosing);
+        held_ = false;
+        beginAiming();
         core_.openPanel(board(), input, besideBall());
         core_.view.openBalls();
         core_.view.aim(input.pointer, input.stage_from_head, true);
@@ -95,11 +94,7 @@ class PlacementTrial : public TimedTrial {
             watchTime(input);
             return;
         }
-        const Aim met = core_.view.aim(input.pointer, input.stage_from_head, true);
-        if ((met.ball >= 0) != aiming_) {
-            aiming_ = met.ball >= 0;
-            showState(aiming_ ? PresentedState::aiming : PresentedState::choosing);
-        }
+        const Aim met = aimAtBalls(input);
         if (!gate_.accepts()) return;
         const bool selected = select(input);
         if (selected && met.button == button_id::replay) {
