@@ -90,10 +90,11 @@ void addViewCommand(Parser cli, Command& chosen) {
         "--time", options->view.times_s,
         "Time in seconds at which the clip starts or the picture is taken; several make a strip");
     command
-        .addOption("--from", options->view.from,
-                   "Side of the avatar: front, left, right, back or three-quarter")
-        .valueName("SIDE")
-        .showDefault();
+        .addOption(
+            "--from", options->view.from,
+            "Side of the avatar: front, left, right, back or three-quarter [three-quarter; of a system "
+            "from where the ball is seen, too]")
+        .valueName("SIDE");
     command.callback([options, &chosen] { chosen = [options] { return view(*options); }; });
 }
 

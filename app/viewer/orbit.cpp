@@ -11,8 +11,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string_view>
 #include <vector>
 
+#include "app/window/picture_point.hpp"
 #include "app/window/pressed_keys.hpp"
 #include "core/room.hpp"
 #include "frames.hpp"
@@ -27,6 +29,7 @@ struct NamedView {
     const char* name;
     double azimuth_deg;
 };
+constexpr double vertical_fov_rad = radiansFromDegrees(42.0);
 constexpr std::array<NamedView, 5> named_views{
     {{"front", 0.0}, {"left", 90.0}, {"right", -90.0}, {"back", 180.0}, {"three-quarter", 35.0}}};
 
@@ -71,7 +74,7 @@ void Orbit::follow(const ImGuiIO& io, bool dragging) {
 
 Result<Orbit> orbitFrom(const std::string& name) {
     for (const NamedView& view : named_views)
-        if (name == view.name) {
+        if (name == view.name || (name.empty() && view.name == std::string_view("three-quarter"))) {
             Orbit orbit;
             orbit.azimuth_rad = radiansFromDegrees(view.azimuth_deg);
             return orbit;
@@ -87,8 +90,30 @@ renderer::Scene sceneAround(const assets::Avatar& avatar, const motion::LocalPos
     const auto hips = static_cast<std::size_t>(std::max(0, avatar.humanoid[motion::Bone::hips]));
     keepInRoom(joints, hips);
     scene.camera.stage_from_eye = orbit.stageFromEye(joints[hips].position, avatar.height_m);
-    scene.camera.vertical_fov_rad = radiansFromDegrees(42.0);
+    scene.camera.vertical_fov_rad = vertical_fov_rad;
     return scene;
+}
+
+Orbit orbitShowing(const Orbit& orbit, const assets::Avatar& avatar, const Vec3& place_m, double aspect) {
+    constexpr double within = 0.92;  // of the picture's half width and height
+    const Vec3 hips(0.0, 0.5 * avatar.height_m, 0.0);
+    const std::array<Vec3, 3> places{place_m, Vec3(0.0), Vec3(0.0, avatar.height_m, 0.0)};
+    const auto shown = [&](const Orbit& from) {
+        const Pose eye = from.stageFromEye(hips, avatar.height_m);
+        return std::all_of(places.begin(), places.end(), [&](const Vec3& place) {
+            const auto at = inPicture(eye, vertical_fov_rad, aspect, place);
+            return at && std::abs(at->x) <= within && std::abs(at->y) <= within;
+        });
+    };
+    for (double turned_deg = 0.0; turned_deg <= 180.0; turned_deg += 15.0)
+        for (const double side : {1.0, -1.0})
+            for (const double farther : {1.0, 1.15, 1.3, 1.5}) {
+                Orbit from = orbit;
+                from.azimuth_rad += side * radiansFromDegrees(turned_deg);
+                from.distance_m *= farther;
+                if (shown(from)) return from;
+            }
+    return orbit;
 }
 
 Result<void> writeStrip(const std::string& file, const assets::Avatar& avatar, WindowSize size,

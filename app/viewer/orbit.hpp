@@ -27,12 +27,17 @@ struct Orbit {
     void follow(const ImGuiIO& io, bool dragging);
 };
 
-/// "front", "left", "right", "back" or "three-quarter".
+/// "front", "left", "right", "back" or "three-quarter", which an empty name is, too.
 [[nodiscard]] Result<Orbit> orbitFrom(const std::string& name);
 
 /// The avatar in a pose, which walks on the spot where it would leave the room, and the camera.
 [[nodiscard]] renderer::Scene sceneAround(const assets::Avatar& avatar, const motion::LocalPose& pose,
                                           const Orbit& orbit);
+
+/// As little beside `orbit` as it takes to have a standing avatar and a place in a picture of this shape
+/// (width over height); itself where nothing in the room does.
+[[nodiscard]] Orbit orbitShowing(const Orbit& orbit, const assets::Avatar& avatar, const Vec3& place_m,
+                                 double aspect);
 
 /// What a viewer's window shows, frame by frame.
 class Shown {

@@ -245,8 +245,11 @@ Result<void> viewSystem(const motion::Generator& system, const assets::Avatar& a
                         const ViewOptions& options) {
     const auto size = parseWindowSize(options.size);
     if (!size) return tl::unexpected(size.error());
-    const auto orbit = orbitFrom(options.from);
+    auto orbit = orbitFrom(options.from);
     if (!orbit) return tl::unexpected(orbit.error());
+    if (options.from.empty())
+        orbit = orbitShowing(*orbit, avatar, keptInRoom(target_m),
+                             static_cast<double>(size->width) / static_cast<double>(size->height));
     Performance performance(system, keptInRoom(target_m));
     motion::LocalPose pose;
     const auto scene_at = [&](double time_s) { return sceneOf(performance, time_s, avatar, *orbit, pose); };

@@ -6,7 +6,48 @@
 
 using namespace deixis::tests;
 
+namespace {
+
+/// A film of raw frames: in place of ffmpeg, which takes a while to install, a script that keeps what it is
+/// given, in the file that it names.
+Finished film(const Scratch& scratch, const std::string& ffmpeg, const std::string& options) {
+    spill(scratch / "ffmpeg", "#!/bin/sh\nfor last; do :; done\n" + ffmpeg + "\n");
+    std::filesystem::permissions(scratch / "ffmpeg", std::filesystem::perms::owner_all);
+    return program("view --system direct --size 160x120 " + options,
+                   "env PATH=" + scratch.path().string() + ":$PATH");
+}
+
+/// Red as nothing in the picture but the ball is, in the first frame.
+int ballPixels(const std::string& frames) {
+    int out = 0;
+    for (std::size_t i = 0; i < 160 * 120; ++i) {
+        const auto channel = [&](std::size_t c) {
+            return static_cast<int>(static_cast<unsigned char>(frames.at(3 * i + c)));
+        };
+        out += channel(0) > 150 && channel(1) < 100 && channel(2) < 70 ? 1 : 0;
+    }
+    return out;
+}
+
+}  // namespace
+
 TEST_SUITE("app/view_system") {
+    TEST_CASE("the ball is in the picture wherever it is, unless a side is asked for") {
+        const Scratch scratch;
+        int hidden = 0;
+        for (const char* target :
+             {"-1.43 1.34 1.67", "1.9 0.3 -0.2", "0.2 2.0 2.1", "-1.9 0.2 0.4", "1.0 1.9 1.8"}) {
+            CAPTURE(target);
+            const std::string at =
+                std::string("--force --target ") + target + " --mp4 " + (scratch / "film.mp4");
+            REQUIRE(film(scratch, "cat >\"$last\"", at).status == 0);
+            CHECK(ballPixels(slurp(scratch / "film.mp4")) > 2);
+            REQUIRE(film(scratch, "cat >\"$last\"", "--from three-quarter " + at).status == 0);
+            hidden += ballPixels(slurp(scratch / "film.mp4")) == 0 ? 1 : 0;
+        }
+        CHECK(hidden > 0);
+    }
+
     TEST_CASE("a picture of the hold, or of several times side by side; the ball where it is asked for") {
         const Scratch scratch;
         const auto picture = [&](const std::string& name, const std::string& more) {
@@ -28,15 +69,7 @@ TEST_SUITE("app/view_system") {
 
     TEST_CASE("a film has every frame of the movement, 30 a second, and none is left where ffmpeg fails") {
         const Scratch scratch;
-        // In place of ffmpeg, which takes a while to install: keeps what it is given, in the file that it
-        // names.
-        const auto film = [&](const std::string& ffmpeg, const std::string& file) {
-            spill(scratch / "ffmpeg", "#!/bin/sh\nfor last; do :; done\n" + ffmpeg + "\n");
-            std::filesystem::permissions(scratch / "ffmpeg", std::filesystem::perms::owner_all);
-            return program("view --system direct --size 160x120 --mp4 " + (scratch / file),
-                           "env PATH=" + scratch.path().string() + ":$PATH");
-        };
-        const auto done = film("cat >\"$last\"", "new/direct.mp4");
+        const auto done = film(scratch, "cat >\"$last\"", "--mp4 " + (scratch / "new/direct.mp4"));
         REQUIRE_MESSAGE(done.status == 0, done.err);
         const std::string frames = slurp(scratch / "new/direct.mp4");
         constexpr std::size_t frame = 160 * 120 * 3;
@@ -45,7 +78,8 @@ TEST_SUITE("app/view_system") {
         CHECK(count > 30);
         CHECK(contains(done.out, std::to_string(count) + " frames"));
         CHECK(frames.substr(0, frame) != frames.substr(frame * (count / 2), frame));
-        CHECK_FAILS_SAYING(film("exit 1", "broken.mp4"), "broken.mp4", "ffmpeg could not write the film");
+        CHECK_FAILS_SAYING(film(scratch, "exit 1", "--mp4 " + (scratch / "broken.mp4")), "broken.mp4",
+                           "ffmpeg could not write the film");
         CHECK_FALSE(std::filesystem::exists(scratch / "broken.mp4"));
     }
 

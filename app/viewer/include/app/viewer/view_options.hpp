@@ -13,7 +13,8 @@ struct ViewOptions {
     /// Pictured side by side, a clip from where there is none at its begin, a system's gesture in the middle
     /// of its hold; a clip's window starts at the first.
     std::vector<double> times_s;
-    std::string from = "three-quarter";
+    /// Side of the avatar; empty: three-quarter, or from where a system's ball is seen, too.
+    std::string from;
 };
 
 }  // namespace deixis::app
