@@ -51,7 +51,7 @@ class PlacementTrial : public TimedTrial {
 
   private:
     bool held_ = false;
-    bool moved_ = false;  ///< it has been put somewhere: there is something to confirm
+    bool moved_ = false;    ///< it has been put somewhere: there is something to confirm
     double along_m_ = 0.0;  ///< the ray, while it is held
     Vec3 taken_from_{0.0};
 
