@@ -1,4 +1,4 @@
-// The JSON of a glTF file, read with every type checked; each refusal names the file and the place in it.
+// The JSON of a glTF file, read with every type checked; each error names the file and the place in it.
 #pragma once
 
 #include <cstddef>

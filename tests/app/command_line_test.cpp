@@ -16,7 +16,7 @@ using namespace deixis::tests;
 
 namespace {
 
-/// Why the words are refused: the parser's name of the problem, ": " and its message; empty: they are not.
+/// Why the words are rejected: the parser's name of the problem, ": " and its message; empty: they are not.
 std::string rejection(const std::vector<std::string>& words) {
     CLI::App cli{"", "deixis"};
     cli.require_subcommand(1);
@@ -58,7 +58,7 @@ void findNumbers(CLI::App& from, const std::vector<std::string>& path, std::vect
 }  // namespace
 
 TEST_SUITE("app/command_line") {
-    TEST_CASE("Every option that is a number refuses what is none, and what would wrap or overflow") {
+    TEST_CASE("Every option that is a number rejects what is none, and what would wrap or overflow") {
         CLI::App cli{"", "deixis"};
         app::Command chosen;
         app::addCommands(cli, chosen);

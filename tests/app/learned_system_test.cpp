@@ -42,7 +42,7 @@ TEST_SUITE("app/learned_system") {
         CHECK(contains(slurp(page), "gt-nn is made by formulas, or learned from demonstrations that were"));
     }
 
-    TEST_CASE("weights that are no such, damaged, or of another system are refused by name") {
+    TEST_CASE("weights that are no such, damaged, or of another system are rejected by name") {
         const Scratch scratch;
         const std::string targets = scratch / "targets.csv", weights = scratch / "w";
         spill(targets, "target_id,x,y,z\nA,0.8,1.2,1.7\n");

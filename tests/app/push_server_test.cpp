@@ -95,7 +95,7 @@ TEST_SUITE("app/push server") {
         const std::string report = "report '" + url + "' --resamples 200 -o " + (scratch / "r.html");
         CHECK_FAILS_SAYING(program(report), "has version 3", "Push a station's file");
 
-        // A push that is refused further on leaves them as they were.
+        // A push that is rejected further on leaves them as they were.
         const std::string clash = scratch / "clash.sqlite";
         fs::copy_file(b, clash);
         change(clash, "UPDATE participants SET number = 2 WHERE id = 'S005'");

@@ -25,7 +25,7 @@ std::string studyAnswers(int participants, double more, const std::string& measu
 }  // namespace
 
 TEST_SUITE("app/report_studies") {
-    TEST_CASE("Both scenarios of Yoon et al., simulated, are one report, in any order; refusals say why") {
+    TEST_CASE("Both scenarios of Yoon et al., simulated, are one report, in any order; rejections say why") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string relaxed = scratch / "relaxed.sqlite";
         const std::string rushed = scratch / "rushed.sqlite";

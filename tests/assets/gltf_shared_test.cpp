@@ -78,7 +78,7 @@ TEST_SUITE("assets/gltf_shared") {
             const auto text = readFile(entry.path());
             REQUIRE(text.has_value());
             auto json = nlohmann::json::parse(*text, nullptr, false);
-            // Many hold accessors alone: a node, so that they are not refused for the lack of one.
+            // Many hold accessors alone: a node, so that they are not rejected for the lack of one.
             if (!json.is_discarded() && !json.contains("nodes") && json.contains("accessors") &&
                 !json.contains("skins") && !json.contains("animations"))
                 json["nodes"] = {{{"name", "a"}}};
@@ -102,7 +102,7 @@ TEST_SUITE("assets/gltf_shared") {
             INFO(told);
             CHECK(told.find("violates the specification") != std::string::npos);
         }
-        MESSAGE(files, " files, ", rejected, " refused; ", faulty, " with errors in parts that are read");
+        MESSAGE(files, " files, ", rejected, " rejected; ", faulty, " with errors in parts that are read");
         CHECK(files >= 80);
         CHECK(faulty >= 40);
     }

@@ -123,7 +123,7 @@ TEST_SUITE("assets/manifest") {
             "18446744073709551615,\"two\r\nlines\",\"a, "
             "\"\"b\"\".bvh\",lab,T9,-1e-1,+.5,3,right,0,1,1,2,29.97\r\n",
             "m.csv");
-        // from_chars takes no plus sign: the row is refused, and the line counts the one inside the quotes.
+        // from_chars takes no plus sign: the row is rejected, and the line counts the one inside the quotes.
         REQUIRE_FALSE(read.has_value());
         CHECK(says(read.error().text(), "m.csv:2: target_y: found '+.5'"));
         const auto mended = parseManifest(

@@ -104,7 +104,7 @@ TEST_SUITE("learning/amp_clusters") {
         CHECK(clustersOf(library(), {}, 30.0).value().count == 1);
     }
 
-    TEST_CASE("numbers of clusters that cannot be made are refused") {
+    TEST_CASE("numbers of clusters that cannot be made are rejected") {
         const auto many = clustersOf(library(), 60, {});
         REQUIRE_FALSE(many.has_value());
         CHECK(many.error().text().find("60 clusters of 52 targets") != std::string::npos);

@@ -92,7 +92,7 @@ TEST_SUITE("learning/amp_training") {
         CHECK((*system)->generate({"", Vec3(0.3, 1.2, 2.0), 1, {}}).clip.frameCount() > 30);
     }
 
-    TEST_CASE("settings are changed by name, stand in the file, and are refused where they are none") {
+    TEST_CASE("settings are changed by name, stand in the file, and are rejected where they are none") {
         AmpSettings settings;
         REQUIRE(changeSetting(settings, "task_after_hold", "0.25").has_value());
         REQUIRE(changeSetting(settings, "epochs", "7").has_value());
@@ -234,15 +234,15 @@ TEST_SUITE("learning/amp_training") {
               std::string::npos);
     }
 
-    TEST_CASE("a state of other settings, or a damaged one, is refused by name") {
+    TEST_CASE("a state of other settings, or a damaged one, is rejected by name") {
         const TrainingFolder folder;
         const auto file = folder.path / "w";
         REQUIRE(trained(smallAmp(), file, [](const TrainingProgress&) { return false; }).has_value());
         AmpTraining other = smallAmp();
         other.settings.actor_rate = 2e-4;
-        const auto refused = trained(other, file);
-        REQUIRE_FALSE(refused.has_value());
-        CHECK(refused.error().text().find("other settings or demonstrations") != std::string::npos);
+        const auto rejected = trained(other, file);
+        REQUIRE_FALSE(rejected.has_value());
+        CHECK(rejected.error().text().find("other settings or demonstrations") != std::string::npos);
         REQUIRE(writeFile(file.string() + ".training/cluster-0", "no archive").has_value());
         const auto damaged = trained(smallAmp(), file);
         REQUIRE_FALSE(damaged.has_value());

@@ -120,7 +120,7 @@ TEST_SUITE("learning/flow_training") {
         CHECK(first != trained("third"));
     }
 
-    TEST_CASE("stopped it leaves a file to use; too few demonstrations are refused with their number") {
+    TEST_CASE("stopped it leaves a file to use; too few demonstrations are rejected with their number") {
         const TrainingFolder folder;
         const auto file = folder.path / "flow.weights";
         const auto stopped =
@@ -138,7 +138,7 @@ TEST_SUITE("learning/flow_training") {
         CHECK_FALSE(std::filesystem::exists(folder.path / "few"));
     }
 
-    TEST_CASE("weights of another system, or without a part, are refused by name") {
+    TEST_CASE("weights of another system, or without a part, are rejected by name") {
         motion::NetworkWeights weights;
         weights.file = "some.weights";
         weights.architecture = "moglow";

@@ -87,9 +87,9 @@ TEST_SUITE("learning/moglow_training") {
         // The state is of these settings alone.
         MoglowSettings others = smallMoglow(40);
         others.dropout = 0.6;
-        const auto refused = trainMoglow(fewDemonstrations(), others, {}, file, goOn);
-        REQUIRE_FALSE(refused.has_value());
-        CHECK(refused.error().text().find("other settings") != std::string::npos);
+        const auto rejected = trainMoglow(fewDemonstrations(), others, {}, file, goOn);
+        REQUIRE_FALSE(rejected.has_value());
+        CHECK(rejected.error().text().find("other settings") != std::string::npos);
         REQUIRE(writeFile(file.string() + ".training", "nonsense").has_value());
         const auto damaged = trainMoglow(fewDemonstrations(), smallMoglow(40), {}, file, goOn);
         REQUIRE_FALSE(damaged.has_value());

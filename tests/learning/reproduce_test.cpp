@@ -39,11 +39,11 @@ TEST_SUITE("learning/reproduce") {
         CHECK(slurp(fs::path(folder) / "reproduction.html") == page);
     }
 
-    TEST_CASE("options that are none are refused with those that there are") {
+    TEST_CASE("options that are none are rejected with those that there are") {
         for (const char* wrong : {"--slow", "--grid", "-o"}) {
-            const auto refused = reproduce(wrong);
-            CHECK(refused.status == 2);
-            CHECK(contains(refused.err, "--participants N"));
+            const auto rejected = reproduce(wrong);
+            CHECK(rejected.status == 2);
+            CHECK(contains(rejected.err, "--participants N"));
         }
     }
 }

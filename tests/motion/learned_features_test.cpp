@@ -89,7 +89,7 @@ TEST_SUITE("motion/pose_features") {
         }
     }
 
-    TEST_CASE("an avatar without an arm is refused by the bone's name") {
+    TEST_CASE("an avatar without an arm is rejected by the bone's name") {
         Skeleton avatar = referenceHumanoid();
         avatar.joints[static_cast<std::size_t>(Bone::leftHand)].name = "hook";
         const auto made = PoseFeatures::of(avatar);

@@ -47,7 +47,7 @@ NetworkWeights randomModel(int look_ahead = 0) {
     return out;
 }
 
-std::string refused(const NetworkWeights& weights) {
+std::string rejected(const NetworkWeights& weights) {
     const auto made = Moglow::of(weights, features());
     REQUIRE_FALSE(made.has_value());
     return made.error().text();
@@ -140,26 +140,26 @@ TEST_SUITE("motion/moglow") {
         CHECK(differs);
     }
 
-    TEST_CASE("weights that do not fit are refused with what was found and expected") {
+    TEST_CASE("weights that do not fit are rejected with what was found and expected") {
         NetworkWeights weights = randomModel();
         CHECK(Moglow::of(weights, features()).has_value());
         weights.architecture = "amp-base";
-        CHECK(contains(refused(weights), "'amp-base'"));
+        CHECK(contains(rejected(weights), "'amp-base'"));
         weights = randomModel();
         weights.settings["features"] = std::string("spine tail");
-        CHECK(contains(refused(weights), "spine tail"));
+        CHECK(contains(rejected(weights), "spine tail"));
         weights = randomModel();
         weights.settings.erase("hidden");
-        CHECK(contains(refused(weights), "settings.hidden"));
+        CHECK(contains(rejected(weights), "settings.hidden"));
         weights = randomModel();
         weights.settings["frame_time_s"] = 0.0;
-        CHECK(contains(refused(weights), "settings.frame_time_s"));
+        CHECK(contains(rejected(weights), "settings.frame_time_s"));
         weights = randomModel();
         weights.settings["hold_s"] = -1.0;
-        CHECK(contains(refused(weights), "settings.hold_s"));
+        CHECK(contains(rejected(weights), "settings.hold_s"));
         weights = randomModel();
         weights.arrays.back().values[3] = 0.0F;
-        CHECK(contains(refused(weights), "feature_sd"));
+        CHECK(contains(rejected(weights), "feature_sd"));
         weights = randomModel(2);
         weights.settings["look_ahead"] = 1.0;
         CHECK(Moglow::of(weights, features()).has_value() == false);

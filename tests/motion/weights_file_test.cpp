@@ -97,7 +97,7 @@ TEST_SUITE("motion/weights_file") {
         CHECK(readWeights(path, "moglow").error().where == path.string());
     }
 
-    TEST_CASE("a foreign file is refused as one") {
+    TEST_CASE("a foreign file is rejected as one") {
         for (const std::string bytes : {"", "HIERARCHY\nROOT Hips\n", "deixis-weights", "deixis-weights \n",
                                         "deixis-weights one 20\n{}", "deixis-weights 0 2\n{}"}) {
             CAPTURE(bytes);
@@ -106,13 +106,13 @@ TEST_SUITE("motion/weights_file") {
         CHECK(contains(errorOf("deixis-weights 1\n{}"), "no file of weights"));
     }
 
-    TEST_CASE("a file of a newer format is refused with both formats") {
+    TEST_CASE("a file of a newer format is rejected with both formats") {
         std::string bytes = encodeWeights(someWeights(), WeightsPrecision::float32);
         bytes.replace(0, 16, "deixis-weights 2");
         CHECK(contains(errorOf(bytes), "in format 2, this program reads 1"));
     }
 
-    TEST_CASE("a file that is cut short is refused wherever it is cut, and one with more bytes too") {
+    TEST_CASE("a file that is cut short is rejected wherever it is cut, and one with more bytes too") {
         const std::string bytes = encodeWeights(someWeights(), WeightsPrecision::float32);
         for (std::size_t size = 64; size < bytes.size(); ++size)
             CHECK(contains(errorOf(std::string_view(bytes).substr(0, size)), "cut short"));
@@ -131,7 +131,7 @@ TEST_SUITE("motion/weights_file") {
         CHECK(contains(errorOf(damaged), "checksum"));
     }
 
-    TEST_CASE("a header without a key, or with a wrong one, is refused by the key") {
+    TEST_CASE("a header without a key, or with a wrong one, is rejected by the key") {
         CHECK(contains(errorOf(withHeader("{}")), "architecture"));
         CHECK(contains(errorOf(withHeader("[1")), "header of the weights is damaged"));
         const std::string start =
@@ -150,7 +150,7 @@ TEST_SUITE("motion/weights_file") {
                      "cut short"));
     }
 
-    TEST_CASE("a number that is not finite is refused by its array, and never written") {
+    TEST_CASE("a number that is not finite is rejected by its array, and never written") {
         NetworkWeights weights = someWeights();
         weights.arrays[1].values[0] = std::numeric_limits<float>::quiet_NaN();
         CHECK_THROWS(static_cast<void>(encodeWeights(weights, WeightsPrecision::float32)));

@@ -159,7 +159,7 @@ TEST_SUITE("physics/policy") {
         CHECK(std::abs(held.clip.frameCount() - a.clip.frameCount() - 30.0 * (2.0 - own_hold_s)) <= 1.0);
     }
 
-    TEST_CASE("weights of another architecture, body or shape are refused by what is wrong") {
+    TEST_CASE("weights of another architecture, body or shape are rejected by what is wrong") {
         const auto problem = [](const motion::NetworkWeights& weights) {
             const auto made = makeAmp(weights, motion::referenceHumanoid());
             return made ? std::string("none") : made.error().text();

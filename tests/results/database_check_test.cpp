@@ -97,7 +97,7 @@ TEST_SUITE("results/database check") {
         }
         CHECK(rejected > 100);
         CHECK(by_hash > 20);  // which integrity_check cannot see
-        MESSAGE(rejected << " of 300 refused, " << by_hash << " of them by an answer's hash");
+        MESSAGE(rejected << " of 300 rejected, " << by_hash << " of them by an answer's hash");
     }
 
     TEST_CASE("A value changed behind the program's back is rejected with its table and row, if it counts") {

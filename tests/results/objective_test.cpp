@@ -126,23 +126,23 @@ TEST_SUITE("results/objective") {
         CHECK(out["correlations"][2]["rho"].get<double>() == doctest::Approx(0.8));
     }
 
-    TEST_CASE("What is no evaluation, or one of other clips, is refused by name") {
-        const auto refusal = [](const std::string& text) {
+    TEST_CASE("What is no evaluation, or one of other clips, is rejected by name") {
+        const auto rejection = [](const std::string& text) {
             const auto read = readBack(text);
             REQUIRE_FALSE(read);
             return read.error().text();
         };
-        CHECK(contains(refusal("[1, 2]"), "evaluation.json: is no objective evaluation"));
-        CHECK(contains(refusal("system,clip\n"), "is no objective evaluation"));
+        CHECK(contains(rejection("[1, 2]"), "evaluation.json: is no objective evaluation"));
+        CHECK(contains(rejection("system,clip\n"), "is no objective evaluation"));
         json earlier = evaluation();
         earlier["targets"][0].erase("accuracy");
-        CHECK(contains(refusal(earlier.dump()), "written by an earlier program"));
+        CHECK(contains(rejection(earlier.dump()), "written by an earlier program"));
         json twice = evaluation();
         twice["targets"][1]["target_id"] = "T1";
-        CHECK(contains(refusal(twice.dump()), "has two targets named T1"));
+        CHECK(contains(rejection(twice.dump()), "has two targets named T1"));
         json damaged = evaluation();
         damaged["targets"][1]["target"] = "here";
-        CHECK(contains(refusal(damaged.dump()), "is damaged"));
+        CHECK(contains(rejection(damaged.dump()), "is damaged"));
         CHECK_FALSE(readObjectiveAccuracy("no such file"));
 
         const auto objective = readBack(evaluation().dump());

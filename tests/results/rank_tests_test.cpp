@@ -204,7 +204,7 @@ TEST_SUITE("results/spearman") {
         }
     }
 
-    TEST_CASE("Doubles are ranked as they are, and sides of different length refused") {
+    TEST_CASE("Doubles are ranked as they are, and sides of different length rejected") {
         const std::vector<double> x{1.0, 2.0, 3.0, 4.0};
         const std::vector<double> y{0.1, 0.4, 0.2, 0.3};
         CHECK(close(spearman(x, y).rho, 0.4, 1e-14));

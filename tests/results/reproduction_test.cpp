@@ -205,7 +205,7 @@ TEST_SUITE("results/reproduction") {
         CHECK(means == 8);
     }
 
-    TEST_CASE("files of another kind are refused by name") {
+    TEST_CASE("files of another kind are rejected by name") {
         const fixtures::Folder folder;
         const auto file = folder / "some.json";
         REQUIRE(writeFile(file, R"({"format": "something"})"));

@@ -1,4 +1,4 @@
-// Several studies in one report: each by itself and pooled, or refused with the reason.
+// Several studies in one report: each by itself and pooled, or rejected with the reason.
 #include "results/analysis/several_studies.hpp"
 
 #include <doctest/doctest.h>

@@ -107,9 +107,9 @@ bool succeeded(pid_t child) {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// A station's part of a hundred that start at once; says why where it cannot. Whoever is refused is refused
-/// at once, or waits without end: how long a slow disk makes all hundred wait is no matter here (the program
-/// waits for 30 s, which a disk that takes 0.1 s for each transaction exceeds).
+/// A station's part of a hundred that start at once; says why where it cannot. Whoever is rejected is
+/// rejected at once, or waits without end: how long a slow disk makes all hundred wait is no matter here (the
+/// program waits for 30 s, which a disk that takes 0.1 s for each transaction exceeds).
 bool begins(const std::filesystem::path& path, const studies::Study& study, const std::string& who) {
     constexpr std::chrono::minutes patience{10};
     try {

@@ -51,7 +51,7 @@ std::string afterThree(const fixtures::Folder& folder, const std::function<void(
     } catch (const results::DatabaseMoved& moved) {
         said = moved.what();
     }
-    // Whatever comes after is refused likewise, and makes no further copy.
+    // Whatever comes after is rejected likewise, and makes no further copy.
     CHECK_THROWS_AS(answer(4), results::DatabaseMoved);
     CHECK_THROWS_AS(store.endSession(studies::SessionOutcome::quit, 1.7e9), results::DatabaseMoved);
     return said;

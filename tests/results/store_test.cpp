@@ -55,7 +55,7 @@ TEST_SUITE("results/store") {
         store.beginSession(fixtures::session("P01", false));
         store.record(first, study, plan, fixtures::clips(plan));
         CHECK_THROWS_AS(store.record(second, study, plan, fixtures::clips(plan)), SQLite::Exception);
-        // A refused answer leaves the store usable.
+        // A rejected answer leaves the store usable.
         store.record(fixtures::answer(plan.trials[2], 1), study, plan, fixtures::clips(plan));
         store.endSession(studies::SessionOutcome::quit, 1.7e9 + 9.0);
         store.beginSession(fixtures::session("P01", false));

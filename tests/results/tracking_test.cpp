@@ -275,7 +275,7 @@ for row in db.execute("SELECT data FROM tracking_blocks ORDER BY session, first_
         const std::vector<TrackedFrame> twice{{fixtures::frame(1), -1}, {fixtures::frame(1), -1}};
         CHECK_THROWS_AS(db.store.recordTracking(twice, {}), std::logic_error);
         CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking_blocks").getInt() == 0);
-        // A refused batch leaves the store usable.
+        // A rejected batch leaves the store usable.
         db.store.recordTracking(std::span(twice).first(1), {});
         CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking_blocks").getInt() == 1);
         CHECK_THROWS_AS(db.store.recordTracking(std::span(twice).first(1), {}), std::logic_error);
