@@ -45,7 +45,7 @@ endfunction()
 # in these calls, and nowhere else. MAIN is the public header that says what the room is for. ALSO: sources that stand in
 # folders of their own, each with all that there is of one thing. deixis::MODULE links all rooms of a module.
 function(add_room name)
-    cmake_parse_arguments(ARG "" "MAIN;ALSO" "PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(ARG "" "MAIN" "ALSO;PUBLIC;PRIVATE" ${ARGN})
     get_filename_component(module ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     set(target deixis_${module}_${name})
     file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp ${ARG_ALSO})

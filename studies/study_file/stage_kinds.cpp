@@ -43,4 +43,14 @@ bool showsClips(StageKind kind) {
     return declarationOf(kind).showsClips();
 }
 
+std::vector<std::vector<int>> eachByItself(int systems) {
+    std::vector<std::vector<int>> out;
+    for (int i = 0; i < systems; ++i) out.push_back({i});
+    return out;
+}
+
+std::vector<Question> ratingQuestion(const Stage& stage, const LanguageTable& /*words*/) {
+    return {{"rating", QuestionKind::scale, stage.question, stage.scale}};
+}
+
 }  // namespace deixis::studies

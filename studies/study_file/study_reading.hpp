@@ -69,16 +69,21 @@ struct StageReading {
     std::map<std::string, Questionnaire> questionnaires{};  ///< that were read, by name
 };
 
+/// How a kind's stages are read: studies/trials/KIND/reading.cpp.
+struct KindReader {
+    /// Reads the stage's own table.
+    void (*read)(TomlTable& table, StageReading& reading, Stage& stage);
+    /// What a stage's systems and layouts must be beside known; null: nothing.
+    void (*checkLevels)(TomlTable& table, const Study& study, const Stage& stage) = nullptr;
+};
+
 // study_stages.cpp
+[[nodiscard]] const KindReader& readerOf(StageKind kind);
 /// Fills in all that a stage's own table tells.
 [[nodiscard]] std::deque<StageEntry> readStages(StudyReader& reader);
 // study_trials.cpp
 /// What all kinds have that show clips: those keys that the stage's kind has.
 void readTrials(TomlTable& table, StageReading& reading, Stage& stage);
-/// Trials of one stimulus: each system is a level.
-[[nodiscard]] std::vector<std::vector<int>> eachByItself(int systems);
-/// What is asked of each stimulus that is rated: Stage::question, on Stage::scale.
-[[nodiscard]] std::vector<Question> ratingQuestion(const Stage& stage, const LanguageTable& words);
 /// How many trials a participant has in a stage that is no practice, checks left aside.
 [[nodiscard]] long long trialsOf(const Stage& stage);
 

@@ -9,6 +9,17 @@
 
 namespace deixis::studies {
 
+#define DEIXIS_KIND(name) extern const KindReader name##_reader;
+DEIXIS_STAGE_KINDS(DEIXIS_KIND)
+#undef DEIXIS_KIND
+
+const KindReader& readerOf(StageKind kind) {
+#define DEIXIS_KIND(name) &name##_reader,
+    static constexpr const KindReader* readers[] = {DEIXIS_STAGE_KINDS(DEIXIS_KIND)};
+#undef DEIXIS_KIND
+    return *readers[static_cast<std::size_t>(kind)];
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,7 +139,7 @@ std::deque<StageEntry> readStages(StudyReader& reader) {
         if (chosen) rejectOtherKinds(table, kind);
         if (kind != nullptr) {
             stage.kind = *stageKindFromName(kind->name);
-            kind->read(table, reading, stage);
+            readerOf(stage.kind).read(table, reading, stage);
         } else if (chosen) {
             stage.practice = readPractice(table);
             stage.design.items = table.count("items", 1, 10000);

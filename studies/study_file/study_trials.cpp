@@ -83,7 +83,8 @@ void readDesign(TomlTable& table, const Study& study, Stage& stage) {
     readSystemsOf(table, study, stage);
     design.layouts = table.namesOf("layouts", namesIn(study.layouts), "[[layouts]]", true);
     const StageDeclaration& kind = declarationOf(stage.kind);
-    if (kind.checkLevels != nullptr) kind.checkLevels(table, study, stage);
+    if (const KindReader& reader = readerOf(stage.kind); reader.checkLevels != nullptr)
+        reader.checkLevels(table, study, stage);
     design.layout_meets = readMeeting(table, "layout_meets", Crossing::nested);
     if (kind.has("system_meets")) design.system_meets = readMeeting(table, "system_meets", Crossing::crossed);
     if (kind.balls) {
@@ -171,16 +172,6 @@ void readChecks(TomlTable& table, const Study& study, Stage& stage) {
 }
 
 }  // namespace
-
-std::vector<std::vector<int>> eachByItself(int systems) {
-    std::vector<std::vector<int>> out;
-    for (int i = 0; i < systems; ++i) out.push_back({i});
-    return out;
-}
-
-std::vector<Question> ratingQuestion(const Stage& stage, const LanguageTable& /*words*/) {
-    return {{"rating", QuestionKind::scale, stage.question, stage.scale}};
-}
 
 long long trialsOf(const Stage& stage) {
     const TrialDesign& design = stage.design;

@@ -1,5 +1,5 @@
 // A page that is answered: whether the participant takes part.
-#include "study_reading.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -8,10 +8,6 @@ namespace {
 
 constexpr std::string_view keys[] = {"text"};
 
-void read(TomlTable& table, StageReading& /*reading*/, Stage& stage) {
-    stage.text = table.text("text");
-}
-
 int onePage(const Stage& /*stage*/) {
     return 1;
 }
@@ -19,10 +15,7 @@ int onePage(const Stage& /*stage*/) {
 }  // namespace
 }  // namespace consent
 
-extern const StageDeclaration consent_declaration{.name = "consent",
-                                                  .keys = consent::keys,
-                                                  .read = consent::read,
-                                                  .asks_consent = true,
-                                                  .pages = consent::onePage};
+extern const StageDeclaration consent_declaration{
+    .name = "consent", .keys = consent::keys, .asks_consent = true, .pages = consent::onePage};
 
 }  // namespace deixis::studies

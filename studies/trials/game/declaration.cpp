@@ -1,5 +1,5 @@
 // The referential game: which ball does the avatar point at? (Deichler et al. 2023, section 2.4.2.)
-#include "study_reading.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -20,22 +20,6 @@ constexpr KeptField chosen[] = {
     {"chosen_place", KeptType::whole, "The chosen ball, from 0 in the order shown"},
     {"correct", KeptType::truth, "1 if the target was chosen"}};
 
-Question readConfidence(TomlTable& parent) {
-    TomlTable table = parent.below("confidence", parent.section("confidence", true), keys::confidence);
-    Question question;
-    question.id = "confidence";
-    question.text = table.text("text");
-    question.scale = readScale(table, "scale");
-    return question;
-}
-
-void read(TomlTable& table, StageReading& reading, Stage& stage) {
-    readTrials(table, reading, stage);
-    stage.feedback = table.flag("feedback", false);
-    stage.time_limit_s = table.number("time_limit_s", 0.0, 600.0, 0.0);
-    if (table.has("confidence")) stage.confidence = readConfidence(table);
-}
-
 std::vector<Question> questions(const Stage& stage, const LanguageTable& /*words*/) {
     if (!stage.confidence) return {};
     std::vector<Question> out{*stage.confidence};
@@ -48,7 +32,6 @@ std::vector<Question> questions(const Stage& stage, const LanguageTable& /*words
 
 extern const StageDeclaration game_declaration{.name = "referential-game",
                                                .keys = game::keys_of_kind,
-                                               .read = game::read,
                                                .min_stimuli = 1,
                                                .max_stimuli = 1,
                                                .shown = eachByItself,

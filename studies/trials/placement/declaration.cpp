@@ -1,5 +1,5 @@
 // Free placement: the participant puts a ball where they believe that the avatar points.
-#include "study_reading.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -19,12 +19,6 @@ constexpr KeptField placed[] = {
 constexpr double farthest_cm = 1000.0;  ///< beyond what a ball within reach of the ray can be off
 constexpr double opposite_deg = 180.0;
 
-void read(TomlTable& table, StageReading& reading, Stage& stage) {
-    readTrials(table, reading, stage);
-    stage.feedback = table.flag("feedback", false);
-    stage.time_limit_s = table.number("time_limit_s", 0.0, 600.0, 0.0);
-}
-
 /// Measured rather than asked: their texts are for whoever reads the data.
 std::vector<Question> questions(const Stage& /*stage*/, const LanguageTable& /*words*/) {
     Question distance{"distance", QuestionKind::number, "From the target to where the ball was put, in cm"};
@@ -42,7 +36,6 @@ std::vector<Question> questions(const Stage& /*stage*/, const LanguageTable& /*w
 
 extern const StageDeclaration placement_declaration{.name = "free-placement",
                                                     .keys = placement::keys,
-                                                    .read = placement::read,
                                                     .min_stimuli = 1,
                                                     .max_stimuli = 1,
                                                     .shown = eachByItself,

@@ -1,5 +1,5 @@
 // A single movement, rated on a scale.
-#include "study_reading.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -15,7 +15,6 @@ constexpr DeclaredMeasure measures[] = {{"rating", AnswerKind::rating, ""}};
 
 extern const StageDeclaration rating_declaration{.name = "rating",
                                                  .keys = rating::keys,
-                                                 .read = readTrials,
                                                  .min_stimuli = 1,
                                                  .max_stimuli = 1,
                                                  .shown = eachByItself,

@@ -1,5 +1,6 @@
-// What the kinds of stages declare: everything that reader, planner, store, export, power and analysis
-// need to know about a kind. Declarations are in studies/trials/KIND/declaration.cpp.
+// What the kinds of stages declare: everything that planner, session, store, export, power and analysis
+// need to know about a kind. Declarations are in studies/trials/KIND/declaration.cpp; how a kind's stages are
+// read from a study file is beside them in reading.cpp.
 #pragma once
 
 #include <span>
@@ -10,9 +11,6 @@
 #include "studies/study_file/study.hpp"
 
 namespace deixis::studies {
-
-class TomlTable;
-struct StageReading;
 
 /// How what is measured is analysed.
 enum class AnswerKind : unsigned char {
@@ -42,8 +40,6 @@ struct StageDeclaration {
     std::string_view name;  ///< in study files, plans and databases
     /// Beside those that every stage has, and every stage with trials.
     std::span<const std::string_view> keys{};
-    /// Reads the stage's own table.
-    void (*read)(TomlTable& table, StageReading& reading, Stage& stage) = nullptr;
 
     bool answered = true;       ///< else it is a page that is only read
     bool is_break = false;      ///< a page that is not read again
@@ -62,8 +58,6 @@ struct StageDeclaration {
     bool balls = false;           ///< the target is shown among distractors: there is a factor "distance"
     bool right_or_wrong = false;  ///< there are wrong answers, so that practice may have a criterion
     std::span<const CheckKind> checks{};  ///< attention checks that it may have
-    /// What a stage's systems and layouts must be beside known; null: nothing.
-    void (*checkLevels)(TomlTable& table, const Study& study, const Stage& stage) = nullptr;
 
     /// All that is asked, under the names that the answers have.
     std::vector<Question> (*questions)(const Stage& stage, const LanguageTable& words) = nullptr;
@@ -85,5 +79,11 @@ struct StageDeclaration {
 [[nodiscard]] const StageDeclaration* findDeclaration(std::string_view name);
 /// All, in the order of the registry.
 [[nodiscard]] std::span<const StageDeclaration* const> allDeclarations();
+
+// What several kinds declare.
+/// Trials of one stimulus: each system is a level.
+[[nodiscard]] std::vector<std::vector<int>> eachByItself(int systems);
+/// What is asked of each stimulus that is rated: Stage::question, on Stage::scale.
+[[nodiscard]] std::vector<Question> ratingQuestion(const Stage& stage, const LanguageTable& words);
 
 }  // namespace deixis::studies

@@ -1,7 +1,8 @@
 // The kinds of stages that a study may have. Each stands in a folder of studies/trials, and nowhere else:
 //
-// - declaration.cpp (compiled with studies/study_file): its keys and how they are read, its stimuli, its
-//   questions and measures (stage_kind.hpp);
+// - declaration.cpp (compiled with studies/study_file): its keys, its stimuli, its questions and measures
+//   (stage_kind.hpp);
+// - reading.cpp (likewise): how its stages are read from a study file;
 // - plan.cpp (studies/design), where more is planned than the declaration says;
 // - unit.cpp (studies/session): how it is presented and answered (session_unit.hpp).
 //
