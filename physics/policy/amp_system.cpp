@@ -10,6 +10,7 @@
 
 #include "motion/pointing/phases.hpp"
 #include "motion/skeleton/clip_edit.hpp"
+#include "motion/skeleton/kinematics.hpp"
 #include "physics/body/body.hpp"
 #include "physics/figure/figure_pose.hpp"
 #include "physics/figure/mjcf.hpp"
@@ -62,9 +63,14 @@ class Amp : public motion::Generator {
         const auto frames = static_cast<int>(std::lround(whole_s(durations) / control_s)) + 1;
         std::vector<float> seen(observer_.stateSize() + BodyObserver::goalSize(model_.with_phase));
         std::vector<double> targets(figure.hinges.size());
+        const double hold_end_s = own[0] + own[1] + own[2];
+        double waited_s = 0.0;
         for (int f = 0; f < frames; ++f) {
             const double own_s = motion::withHold(f * control_s, durations, own[2]);
-            motion::LocalPose pose = base_.pose(nearest.hand, own_s, own);
+            // A policy that does not know the time may keep pointing: so long its fingers do, too.
+            if (!model_.with_phase && own_s - waited_s > hold_end_s && raised(out.clip, nearest.hand))
+                waited_s += control_s;
+            motion::LocalPose pose = base_.pose(nearest.hand, own_s - waited_s, own);
             const RootState root = body.root();
             applyRoot(figure, root.pose, pose);
             applyAngles(figure, body.angles_rad(), pose);
@@ -84,6 +90,18 @@ class Amp : public motion::Generator {
     }
 
   private:
+    /// Whether the hand is well above where it began.
+    [[nodiscard]] bool raised(const motion::Clip& clip, motion::Side hand) const {
+        constexpr double well_above_m = 0.1;
+        const auto joint = static_cast<std::size_t>(start_.figure().map[motion::armBones(hand).hand]);
+        const auto height_m = [&](const motion::LocalPose& pose) {
+            std::vector<Pose> world;
+            motion::worldPose(clip.skeleton, pose, world);
+            return world[joint].position.y;
+        };
+        return height_m(clip.frames.back()) > height_m(clip.frames.front()) + well_above_m;
+    }
+
     /// As the gesture's time has them, or where the hand goes and comes by itself as it does.
     void setPhases(GeneratedClip& made, motion::Side hand, const PhaseDurations& durations) const {
         double time_s = 0.0;
