@@ -4,11 +4,23 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 #include "long_table_reader.hpp"
-#include "row_order.hpp"
 
 namespace deixis::results {
+
+namespace {
+
+void sortByParticipantAndTrial(std::vector<ResponseRow>& rows) {
+    const auto before = [](const ResponseRow& a, const ResponseRow& b) {
+        return std::tie(a.participant, a.trial) < std::tie(b.participant, b.trial);
+    };
+    // Most files are in order, and a row is large.
+    if (!std::is_sorted(rows.begin(), rows.end(), before)) std::stable_sort(rows.begin(), rows.end(), before);
+}
+
+}  // namespace
 
 Result<void> LongTableReader::nameResponses() {
     for (const auto& [stage_name, responses] : responses_) {
