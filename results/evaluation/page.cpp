@@ -121,9 +121,8 @@ Section profilesSection(const Evaluation& evaluation, Numbering& figures, Number
 
 Section trainingSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
     std::string out = paragraphHtml(
-        "In the maps a cell is a mean over y (from above) or over z (from behind); the agent stands at x = "
-        "0, "
-        "z = 0, and its left is on the left.",
+        "In the maps a cell is a mean over y (from above) or over z (from behind); the agent stands at x = 0 "
+        "and z = 0, and its left is on the left.",
         ParagraphLook::intro);
     out += figuresPlaced(figureHtml(densitySpace(evaluation, figures)), FigurePlace::single);
     out += figuresPlaced(figureHtml(densityMap(evaluation, figures)));

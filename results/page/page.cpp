@@ -29,14 +29,13 @@ std::string itemsHtml(std::vector<std::string> items) {
 }
 
 std::string paragraphHtml(const std::string& html, ParagraphLook look) {
-    constexpr const char* classes[] = {"", "lead", "small intro", "small", "synthetic"};
-    return filled("paragraph.mustache", {{"class", classes[static_cast<std::size_t>(look)]}, {"html", html}});
+    return titledParagraph("", html, look);
 }
 
 std::string titledParagraph(const std::string& title, const std::string& html, ParagraphLook look) {
-    return filled(
-        "paragraph.mustache",
-        {{"class", look == ParagraphLook::synthetic ? "synthetic" : ""}, {"title", title}, {"html", html}});
+    constexpr const char* classes[] = {"", "lead", "small intro", "small", "synthetic"};
+    return filled("paragraph.mustache",
+                  {{"class", classes[static_cast<std::size_t>(look)]}, {"title", title}, {"html", html}});
 }
 
 std::string noteHtml(const std::string& text) {
