@@ -25,7 +25,7 @@ learning | all)
     packages+=(libtorch-dev libgloo-dev libopenblas0-openmp)
     ;;&
 all)
-    packages+=(blender emscripten clang-tidy-14 debootstrap libbenchmark-dev)
+    packages+=(blender python3-numpy emscripten clang-tidy-14 debootstrap libbenchmark-dev)
     ;;
 esac
 if [ "${1:-}" = list ]; then
