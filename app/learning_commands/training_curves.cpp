@@ -160,8 +160,7 @@ std::string TrainingCurves::page() const {
     return results::pageStart(title, title) +
            results::paragraphHtml(
                "Held-out numbers are of clips generated for targets that were not trained on: the weights "
-               "that "
-               "are kept are chosen by them. Where there are clusters, each has its curve.",
+               "that are kept are chosen by them. Where there are clusters, each has its curve.",
                results::ParagraphLook::lead) +
            results::figuresPlaced(figures) +
            results::pageEnd("The numbers are in the table beside this page, whose name ends in .curves.csv.");

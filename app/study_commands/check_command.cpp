@@ -26,6 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct CheckArguments {
+    std::string study;
+    bool json = false;
+};
+
 // Each cell of the between-participants factors.
 std::vector<studies::Groups> cells(const studies::Study& study) {
     std::vector<studies::Groups> out{{}};
@@ -222,15 +227,16 @@ Result<void> check(const std::string& name, bool json) {
 }  // namespace
 
 void addCheckCommand(Parser cli, Command& chosen) {
-    auto study = std::make_shared<std::string>();
-    auto json = std::make_shared<bool>(false);
+    auto options = std::make_shared<CheckArguments>();
     Parser command = cli.addCommand("check", "Check a study file: every problem, in every language");
     describe(command, {.writes = "nothing; it prints what the study contains, or its mistakes.",
                        .example = "deixis check my-study.toml",
                        .page = "docs/study-file.md"});
-    command.addOption("STUDY", *study, "Study file, or the name of one included").required();
-    addJson(command, *json, "Print JSON: problems, doubts, and what each group of participants meets");
-    command.callback([study, json, &chosen] { chosen = [study, json] { return check(*study, *json); }; });
+    command.addOption("STUDY", options->study, "Study file, or the name of one included").required();
+    addJson(command, options->json,
+            "Print JSON: problems, doubts, and what each group of participants meets");
+    command.callback(
+        [options, &chosen] { chosen = [options] { return check(options->study, options->json); }; });
 }
 
 }  // namespace deixis::app

@@ -27,6 +27,8 @@ using motion::GenerationRequest;
 using motion::GesturePhases;
 using motion::PhaseDurations;
 
+constexpr double well_above_m = 0.1;  ///< a hand that is up, over where it began
+
 double whole_s(const PhaseDurations& durations) {
     return std::accumulate(durations.begin(), durations.end(), 0.0);
 }
@@ -64,11 +66,13 @@ class Amp : public motion::Generator {
         std::vector<float> seen(observer_.stateSize() + BodyObserver::goalSize(model_.with_phase));
         std::vector<double> targets(figure.hinges.size());
         const double hold_end_s = own[0] + own[1] + own[2];
+        const double begin_m = handHeight_m(at_ease, nearest.hand);
         double waited_s = 0.0;
         for (int f = 0; f < frames; ++f) {
             const double own_s = motion::withHold(f * control_s, durations, own[2]);
             // A policy that does not know the time may keep pointing: so long its fingers do, too.
-            if (!model_.with_phase && own_s - waited_s > hold_end_s && raised(out.clip, nearest.hand))
+            if (!model_.with_phase && own_s - waited_s > hold_end_s &&
+                handHeight_m(out.clip.frames.back(), nearest.hand) > begin_m + well_above_m)
                 waited_s += control_s;
             motion::LocalPose pose = base_.pose(nearest.hand, own_s - waited_s, own);
             const RootState root = body.root();
@@ -90,16 +94,10 @@ class Amp : public motion::Generator {
     }
 
   private:
-    /// Whether the hand is well above where it began.
-    [[nodiscard]] bool raised(const motion::Clip& clip, motion::Side hand) const {
-        constexpr double well_above_m = 0.1;
-        const auto joint = static_cast<std::size_t>(start_.figure().map[motion::armBones(hand).hand]);
-        const auto height_m = [&](const motion::LocalPose& pose) {
-            std::vector<Pose> world;
-            motion::worldPose(clip.skeleton, pose, world);
-            return world[joint].position.y;
-        };
-        return height_m(clip.frames.back()) > height_m(clip.frames.front()) + well_above_m;
+    [[nodiscard]] double handHeight_m(const motion::LocalPose& pose, motion::Side hand) const {
+        std::vector<Pose> world;
+        motion::worldPose(start_.figure().skeleton, pose, world);
+        return world[static_cast<std::size_t>(start_.figure().map[motion::armBones(hand).hand])].position.y;
     }
 
     /// As the gesture's time has them, or where the hand goes and comes by itself as it does.

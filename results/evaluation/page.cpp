@@ -136,7 +136,10 @@ Section trainingSection(const Evaluation& evaluation, Numbering& figures, Number
         drawn += figureHtml(densityScatter(evaluation, i, figures));
     out += figuresPlaced(drawn);
     out += figuresPlaced(figureHtml(accuracyMaps(evaluation, figures)));
-    return {"Accuracy and training targets", out + clustersHtml(evaluation, tables)};
+    out += clustersHtml(evaluation, tables);
+    if (anySynthetic(evaluation))
+        out += noteHtml("* Synthetic: made by formulas, or learned from demonstrations that were.");
+    return {"Accuracy and training targets", out};
 }
 
 Section methods(const Evaluation& evaluation) {
@@ -186,18 +189,15 @@ std::string renderEvaluation(const Evaluation& evaluation) {
         syntheticNote(evaluation) + findings(evaluation);
     Numbering figures("Figure");
     Numbering tables;
-    // One after another: figures and tables count.
-    std::vector<Section> sections{remarksSection(evaluation.remarks)};
-    sections.push_back(observersSection(evaluation, tables));
-    sections.push_back(systemsSection(evaluation, figures, tables));
-    sections.push_back(comparisonsSection(evaluation, tables));
-    sections.push_back(profilesSection(evaluation, figures, tables));
-    sections.push_back(trainingSection(evaluation, figures, tables));
-    if (anySynthetic(evaluation))
-        sections.back().html +=
-            noteHtml("* Synthetic: made by formulas, or learned from demonstrations that were.");
-    sections.push_back(methods(evaluation));
-    sections.push_back(provenance(evaluation));
+    // Figures and tables count: braces, from the first to the last.
+    std::vector<Section> sections{remarksSection(evaluation.remarks),
+                                  observersSection(evaluation, tables),
+                                  systemsSection(evaluation, figures, tables),
+                                  comparisonsSection(evaluation, tables),
+                                  profilesSection(evaluation, figures, tables),
+                                  trainingSection(evaluation, figures, tables),
+                                  methods(evaluation),
+                                  provenance(evaluation)};
     return withContents(lead, std::move(sections)) +
            pageEnd(
                "The tables summarise their numbers; deixis evaluate --csv writes them clip by clip, step by "

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "computed.hpp"
+#include "figures.hpp"
 #include "paragraphs.hpp"
 #include "participants.hpp"
 #include "results/analysis/analysis_steps.hpp"
@@ -130,7 +131,7 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
 
 }  // namespace
 
-Section designSection(const AnalysisResult& result) {
+Section designSection(const AnalysisResult& result, Numbering& figures) {
     const ResponseTable& table = result.table;
     std::vector<Fact> facts;
     const auto entry = [&](const std::string& name, const std::string& html) {
@@ -159,7 +160,7 @@ Section designSection(const AnalysisResult& result) {
         entry("Answers",
               fmt::format("{} in all, {} per participant", table.rows.size(),
                           min == max ? fmt::format("{}", max) : fmt::format("{} to {}", min, max)));
-    return {"Design and participants", factsHtml(facts)};
+    return {"Design and participants", factsHtml(facts) + figuresHtml(result, figures)};
 }
 
 Section paperSection(const AnalysisResult& result) {

@@ -2,14 +2,15 @@
 #pragma once
 
 #include "results/analysis/analysis.hpp"
+#include "results/page/number_text.hpp"
 #include "results/page/page.hpp"
 
 namespace deixis::results {
 
-/// A section: systems, measures, factors, participants and answers.
-[[nodiscard]] Section designSection(const AnalysisResult& result);
+/// Systems, measures, factors, participants and answers, with the figures of the head (figuresHtml()).
+[[nodiscard]] Section designSection(const AnalysisResult& result, Numbering& figures);
 
-/// A section: a paragraph on methods to be copied, and what the numbers cannot tell.
+/// A paragraph on methods to be copied, and what the numbers cannot tell.
 [[nodiscard]] Section paperSection(const AnalysisResult& result);
 
 }  // namespace deixis::results

@@ -227,28 +227,27 @@ Section meansSection(const AnalysisResult& result, Numbering& numbering) {
 std::string renderReport(const AnalysisResult& result) {
     Numbering figures("Figure");
     Numbering tables;
-    // One after another: figures and tables count.
-    std::vector<Section> sections{designSection(result)};
-    sections.front().html += figuresHtml(result, figures);
-    sections.push_back(meansSection(result, tables));
-    sections.push_back(studiesSection(result, tables));
-    sections.push_back(testsSection(result, tables));
-    sections.push_back(differencesSection(result, figures));
-    sections.push_back(bradleyTerrySection(result, tables));
-    sections.push_back(sensitivitySection(result, tables));
-    sections.push_back(betweenSection(result, tables));
-    sections.push_back(choicesSection(result, figures, tables));
-    sections.push_back(measuredSection(result, figures, tables));
-    sections.push_back(objectiveSection(result, tables));
-    sections.push_back(descriptivesSection(result, tables));
-    sections.push_back(scoresSection(result, tables));
-    sections.push_back(qualitySection(result, tables));
-    sections.push_back(checksAndLeftOut(result, tables));
-    sections.push_back(presenceSection(result, tables));
-    sections.push_back(remarksSection(result.remarks));
-    sections.push_back(paperSection(result));
-    sections.push_back({"Methods in full", methodsHtml(result)});
-    sections.push_back(provenance(result));
+    // Figures and tables count: braces, from the first to the last.
+    std::vector<Section> sections{designSection(result, figures),
+                                  meansSection(result, tables),
+                                  studiesSection(result, tables),
+                                  testsSection(result, tables),
+                                  differencesSection(result, figures),
+                                  bradleyTerrySection(result, tables),
+                                  sensitivitySection(result, tables),
+                                  betweenSection(result, tables),
+                                  choicesSection(result, figures, tables),
+                                  measuredSection(result, figures, tables),
+                                  objectiveSection(result, tables),
+                                  descriptivesSection(result, tables),
+                                  scoresSection(result, tables),
+                                  qualitySection(result, tables),
+                                  checksAndLeftOut(result, tables),
+                                  presenceSection(result, tables),
+                                  remarksSection(result.remarks),
+                                  paperSection(result),
+                                  {"Methods in full", methodsHtml(result)},
+                                  provenance(result)};
     return withContents(headOf(result), std::move(sections)) + pageEnd("The tables have all their numbers.");
 }
 

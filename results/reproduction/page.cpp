@@ -329,13 +329,13 @@ std::string renderReproduction(const ReproductionInput& input) {
     const std::vector<Claim> claims = paperClaims(input);
     Numbering figures("Figure");
     Numbering tables;
-    // One after another: figures and tables count.
-    std::vector<Section> sections{claimsSection(claims)};
-    sections.push_back(objectiveSection(input, figures, tables));
-    sections.push_back(studySection(input, figures, tables));
-    sections.push_back(demonstrationsSection(input, figures, tables));
-    sections.push_back(trainedSection(input, figures, tables));
-    sections.push_back(provenance(input));
+    // Figures and tables count: braces, from the first to the last.
+    std::vector<Section> sections{claimsSection(claims),
+                                  objectiveSection(input, figures, tables),
+                                  studySection(input, figures, tables),
+                                  demonstrationsSection(input, figures, tables),
+                                  trainedSection(input, figures, tables),
+                                  provenance(input)};
     const std::string title = "Deichler et al. (2023), and the same here";
     return withContents(pageStart(title, title) + lead(input, claims), std::move(sections)) +
            pageEnd("The tables have the figures' numbers.");
