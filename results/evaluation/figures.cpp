@@ -41,11 +41,11 @@ Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
         plot.boxes, [&](const BoxPlot::Box& box) { return box.values.size() > plot.max_points; });
     return {"accuracy",
             figures.next() +
-                " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
+                " Accuracy of every clip (the paper’s Figure\u00A09). Box: quartiles, notched at the "
                 "median if the notch lies within the box; diamond: mean; whiskers: 5th and 95th "
                 "percentile. Right: the same as angle between "
                 "forearm and target; dashed: the ceiling." +
-                (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the "
+                (thinned ? fmt::format(" Points: at most {} of a system’s clips, evenly from the "
                                        "smallest to the largest; everything else uses all clips.",
                                        plot.max_points)
                          : std::string()),
@@ -70,8 +70,8 @@ Figure accuracyDifferences(const Evaluation& evaluation, Numbering& figures) {
         "differences",
         figures.next() +
             " Differences of accuracy at the targets that both systems have clips for (points), and the "
-            "typical difference with its interval (Hodges&#8211;Lehmann; filled and starred if p is at most "
-            "0.05 after Holm&#8217;s correction). To the right of 0, the system named first is more "
+            "typical difference with its interval (Hodges–Lehmann; filled and starred if p is at most "
+            "0.05 after Holm’s correction). To the right of 0, the system named first is more "
             "accurate." +
             (thinned ? fmt::format(" At most {} points per pair are drawn, evenly from the smallest to the "
                                    "largest difference.",
@@ -247,8 +247,7 @@ FigureJson tenthsOf(const SystemEvaluation& system, const std::vector<std::size_
 
 std::string correlationWords(const SpearmanTest& test) {
     if (test.method == "undefined") return "no correlation is defined";
-    return fmt::format("&#961; = {}, p {}{}", fixedText(test.rho, 3), test.p < 0.001 ? "" : "= ",
-                       pText(test.p));
+    return fmt::format("ρ = {}, p {}{}", fixedText(test.rho, 3), test.p < 0.001 ? "" : "= ", pText(test.p));
 }
 
 }  // namespace

@@ -129,8 +129,8 @@ Figure densityMap(const Evaluation& evaluation, Numbering& figures) {
     drawMaps(plot, 0, maps, "", "test point");
     for (const Vec3& target : evaluation.input.training) plot.dot(0, target);
     return {"density-map",
-            fmt::format("{} Density of the training targets (1/m&#179;) and the targets themselves (dots), "
-                        "those within the map (the paper&#8217;s Figure&#160;10&#160;B): {}",
+            fmt::format("{} Density of the training targets (1/m³) and the targets themselves (dots), "
+                        "those within the map (the paper’s Figure\u00A010\u00A0B): {}",
                         figures.next(), spaceText(maps.space())),
             fmt::format("Maps of the density at {} test points from above and from behind the agent, with "
                         "the training targets as dots; densities up to {:.3g} per cubic metre.",
@@ -156,8 +156,8 @@ Figure accuracyMaps(const Evaluation& evaluation, Numbering& figures) {
     for (std::size_t row = 0; row < maps.size(); ++row)
         drawMaps(plot, row, maps[row], names[row] + ": ", "clip");
     return {"accuracy-map",
-            fmt::format("{} Mean accuracy of each system by the target&#8217;s place (the paper&#8217;s "
-                        "Figure&#160;10&#160;C); one scale for all.",
+            fmt::format("{} Mean accuracy of each system by the target’s place (the paper’s "
+                        "Figure\u00A010\u00A0C); one scale for all.",
                         figures.next()),
             fmt::format("Maps of the mean accuracy over the targets' places, from above and from behind the "
                         "agent, in a row for each of {} systems; {:.3f} to {:.3f}.",
@@ -297,8 +297,8 @@ Figure densitySpace(const Evaluation& evaluation, Numbering& figures) {
     const double height_of_width = (down.second - down.first) / (across.second - across.first);
     return {"density-space",
             fmt::format(
-                "{} Density of {} training targets (1/m&#179;) at {} test points, seen from ahead of the "
-                "agent and above (the paper&#8217;s Figure&#160;8).{} Kernel bandwidths x, y, z: {}.",
+                "{} Density of {} training targets (1/m³) at {} test points, seen from ahead of the "
+                "agent and above (the paper’s Figure\u00A08).{} Kernel bandwidths x, y, z: {}.",
                 figures.next(), evaluation.input.training.size(), evaluation.points.size(),
                 evaluation.points.size() > max_space_points
                     ? fmt::format(" {} of the points are drawn, evenly along the density.", max_space_points)

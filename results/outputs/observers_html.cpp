@@ -19,7 +19,7 @@ std::string ranked(const ObserverRanking& ranking) {
     std::string out;
     for (const auto& group : ranking)
         for (const std::string& system : group)
-            out += (out.empty() ? "" : system == group.front() ? " &gt; " : " &#8776; ") + escapeHtml(system);
+            out += (out.empty() ? "" : system == group.front() ? " &gt; " : " ≈ ") + escapeHtml(system);
     return out;
 }
 
@@ -58,7 +58,7 @@ std::string observersFinding(const std::vector<ObserverReading>& readings) {
             return std::any_of(ranking.begin(), ranking.end(),
                                [](const auto& group) { return group.size() > 1; });
         });
-        if (groups) out += " (&#8776;: within one percentage point.)";
+        if (groups) out += " (≈: within one percentage point.)";
     }
     return out + " None of them has been shown to read as people do.";
 }
@@ -90,7 +90,7 @@ std::string nearestText(const NearestCeiling& ceiling) {
     return fmt::format(
         "A system that plays the demonstration with the nearest target would point {} m beside the test "
         "target (median over {}); an observer without error, who sees the balls from between the "
-        "avatar&#8217;s eyes, would then be correct in {}.",
+        "avatar’s eyes, would then be correct in {}.",
         fixedText(ceiling.median_distance_m, 2), ceiling.targets, percent(ceiling.share_right));
 }
 

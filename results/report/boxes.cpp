@@ -97,8 +97,8 @@ std::string shownName(const Measure& measure) {
 
 std::string bracketsText(const AnalysisResult& result) {
     return fmt::format(
-        " Brackets: pairs that differ at &#945;&#160;=&#160;{} after Holm's correction (*&#160;p&#160;&#8804;"
-        "&#160;0.05, **&#160;&#8804;&#160;0.01, ***&#160;&#8804;&#160;0.001).",
+        " Brackets: pairs that differ at α\u00A0=\u00A0{} after Holm's correction (*\u00A0p\u00A0≤"
+        "\u00A00.05, **\u00A0≤\u00A00.01, ***\u00A0≤\u00A00.001).",
         result.alpha);
 }
 

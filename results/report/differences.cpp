@@ -33,7 +33,7 @@ Figure differencesFigure(const AnalysisResult& result, std::size_t index, Number
     return {
         fmt::format("differences-{}", index + 1),
         fmt::format("{} {}: each participant's difference (points) and their shift with its interval "
-                    "(Hodges&#8211;Lehmann; filled and starred if it is significant after Holm's "
+                    "(Hodges–Lehmann; filled and starred if it is significant after Holm's "
                     "correction). To the right of 0, the system named first is higher.",
                     figures.next(), escapeHtml(capitalised(measure.name))),
         fmt::format("Participants' differences in {} between the systems of each pair, with the shift and "

@@ -130,7 +130,7 @@ std::optional<Figure> levelsFigure(const AnalysisResult& result, std::size_t ind
         fmt::format("levels-{}-{}", place, index + 1),
         fmt::format("{} {} by {}: means of participants' means{}.", figures.next(),
                     escapeHtml(capitalised(measure.name)), escapeHtml(factor.name),
-                    intervals ? fmt::format(" with {:g}&#160;% intervals", 100.0 * result.level) : ""),
+                    intervals ? fmt::format(" with {:g}\u00A0% intervals", 100.0 * result.level) : ""),
         fmt::format("Means of {} under the levels of {}.{}", measure.name, factor.name, spoken),
         levelsSpec(lines, measure), result.systems.size() > 6};
 }

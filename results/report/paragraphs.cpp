@@ -111,8 +111,8 @@ std::string testsSentences(const AnalysisResult& result, const Computed& compute
     if (const auto what = signedRankWords(computed); !what.empty())
         out += fmt::format(
             " We compared {} by two-sided Wilcoxon signed-rank tests ({}, differences of zero dropped){}, at "
-            "&#945; = {} after Holm's correction within each of these families of tests. Shifts are "
-            "Hodges&#8211;Lehmann estimates with {:g}&#160;% intervals that invert these tests; r is the "
+            "α = {} after Holm's correction within each of these families of tests. Shifts are "
+            "Hodges–Lehmann estimates with {:g}\u00A0% intervals that invert these tests; r is the "
             "rank-biserial correlation.",
             inSentence(what),
             computed.approximate ? "normal approximation for more than 2,000 differences, otherwise exact"
@@ -132,7 +132,7 @@ std::string testsSentences(const AnalysisResult& result, const Computed& compute
     if (!groups.empty())
         out += fmt::format(
             " We compared {} by two-sided Wilcoxon rank-sum tests of participants' means, Holm-corrected "
-            "(&#945; = {}); &#948; is Cliff's delta.",
+            "(α = {}); δ is Cliff's delta.",
             inSentence(groups), result.alpha);
     if (computed.ratings)
         out +=
@@ -148,7 +148,7 @@ std::string testsSentences(const AnalysisResult& result, const Computed& compute
     if (computed.equivalence) out += " Equivalence was tested by two one-sided tests within declared bounds.";
     if (computed.intervals)
         out += fmt::format(
-            " Intervals of means are {:g}&#160;% bootstrap intervals over participants ({} resamples).",
+            " Intervals of means are {:g}\u00A0% bootstrap intervals over participants ({} resamples).",
             100.0 * result.level, result.options.resamples);
     if (isPointing2023(result.table) && computed.pairs)
         out += " The analysis follows Deichler et al. (2023, section 3.1).";
@@ -187,7 +187,7 @@ std::string rankSumText(const GroupTest& one, const Measure& measure) {
     const std::string shift =
         shiftText(test.hodges_lehmann, [&](double value) { return scoreText(measure, value); });
     return fmt::format(
-        "n = {} and {}, U = {}, p {}, Holm-corrected p {}, &#948; {}, shift {}", test.n_a, test.n_b,
+        "n = {} and {}, U = {}, p {}, Holm-corrected p {}, δ {}, shift {}", test.n_a, test.n_b,
         rankText(test.u), equalsP(test.p_two_sided), equalsP(one.p_holm),
         test.cliffs_delta ? "= " + fixedText(*test.cliffs_delta, 2) : std::string("not defined"), shift);
 }
@@ -235,7 +235,7 @@ std::string meansSentence(const AnalysisResult& result, std::size_t index) {
     }
     if (means.empty()) return "";
     return fmt::format(" Means{}: {}.",
-                       intervals ? fmt::format(" with {:g}&#160;% intervals", 100.0 * result.level) : "",
+                       intervals ? fmt::format(" with {:g}\u00A0% intervals", 100.0 * result.level) : "",
                        inSentence(means));
 }
 
@@ -243,7 +243,7 @@ std::string friedmanSentence(const AnalysisResult& result, const std::string& me
     for (const OmnibusResult& one : result.omnibus)
         if (one.measure == measure && one.test.chi2)
             return fmt::format(
-                " Friedman's test of all systems: &#967;&#178;({}) = {}, n = {}, p {}, Kendall's "
+                " Friedman's test of all systems: χ²({}) = {}, n = {}, p {}, Kendall's "
                 "W = {}.",
                 one.test.df, fixedText(*one.test.chi2, 2), one.test.n, equalsP(one.test.p),
                 fixedText(*one.test.kendalls_w, 2));
@@ -360,28 +360,28 @@ std::vector<std::string> references(const AnalysisResult& result) {
     if (computed.signedRank() || computed.rankSum())
         out.emplace_back(
             "Wilcoxon, F. (1945). Individual comparisons by ranking methods. Biometrics "
-            "Bulletin, 1(6), 80&#8211;83.");
+            "Bulletin, 1(6), 80–83.");
     if (computed.signedRank() || computed.rankSum())
         out.emplace_back(
             "Holm, S. (1979). A simple sequentially rejective multiple test procedure. "
-            "Scandinavian Journal of Statistics, 6(2), 65&#8211;70.");
+            "Scandinavian Journal of Statistics, 6(2), 65–70.");
     if (computed.signedRank() || computed.rankSum())
         out.emplace_back(
             "Hodges, J. L., &amp; Lehmann, E. L. (1963). Estimates of location based on rank "
-            "tests. The Annals of Mathematical Statistics, 34(2), 598&#8211;611.");
+            "tests. The Annals of Mathematical Statistics, 34(2), 598–611.");
     if (computed.zeros)
         out.emplace_back(
             "Pratt, J. W. (1959). Remarks on zeros and ties in the Wilcoxon signed rank "
-            "procedures. Journal of the American Statistical Association, 54, 655&#8211;667.");
+            "procedures. Journal of the American Statistical Association, 54, 655–667.");
     if (computed.friedman)
         out.emplace_back(
             "Friedman, M. (1937). The use of ranks to avoid the assumption of normality implicit "
             "in the analysis of variance. Journal of the American Statistical Association, 32, "
-            "675&#8211;701.");
+            "675–701.");
     if (computed.intervals)
         out.emplace_back(
             "Efron, B. (1987). Better bootstrap confidence intervals. Journal of the American "
-            "Statistical Association, 82, 171&#8211;185.");
+            "Statistical Association, 82, 171–185.");
     if (computed.ratings || computed.author_trials)
         out.emplace_back(
             "Yoon, Y., Park, K., Jang, M., Kim, J., &amp; Lee, G. (2021). SGToolkit: An interactive gesture "
@@ -390,12 +390,12 @@ std::vector<std::string> references(const AnalysisResult& result) {
     if (!result.bradley_terry.abilities.empty())
         out.emplace_back(
             "Bradley, R. A., &amp; Terry, M. E. (1952). Rank analysis of incomplete block "
-            "designs. Biometrika, 39, 324&#8211;345.");
+            "designs. Biometrika, 39, 324–345.");
     if (computed.equivalence)
         out.emplace_back(
             "Schuirmann, D. J. (1987). A comparison of the two one-sided tests procedure and the "
             "power approach. Journal of Pharmacokinetics and Biopharmaceutics, 15, "
-            "657&#8211;680.");
+            "657–680.");
     return out;
 }
 

@@ -37,13 +37,12 @@ Figure accuracyBesidePaper(const GridFigures& grid, const std::string& name, Num
     const BoxPlot plot = accuracyBoxPlot(std::move(boxes));
     FigureJson spec = boxPlotSpec(plot);
     spec["layer"].push_back(layerOf(std::move(paper), paperMark(), xyEncoding()));
-    return {
-        name,
-        figures.next() +
-            fmt::format(" Accuracy at {} points, {} (the paper&#8217;s Figure&#160;9). Crosses: the means "
-                        "that the paper prints. Diamonds: our means. Right: the same as angle.",
-                        grid.points, escapeHtml(grid.grid)),
-        "Accuracy by system. Medians: " + mediansText(plot), std::move(spec), true};
+    return {name,
+            figures.next() +
+                fmt::format(" Accuracy at {} points, {} (the paper’s Figure\u00A09). Crosses: the means "
+                            "that the paper prints. Diamonds: our means. Right: the same as angle.",
+                            grid.points, escapeHtml(grid.grid)),
+            "Accuracy by system. Medians: " + mediansText(plot), std::move(spec), true};
 }
 
 Figure studyBesidePaper(const ReproductionInput& input, const std::string& measure, Numbering& figures) {
@@ -111,9 +110,9 @@ Figure studyBesidePaper(const ReproductionInput& input, const std::string& measu
                              std::move(mark)));
     return {"study-" + measure,
             figures.next() +
-                (accuracy ? " Right choices (the paper&#8217;s Figure&#160;7)."
-                          : " Naturalness (the paper&#8217;s Figure&#160;7).") +
-                " Crosses: the paper&#8217;s means. Points: ours, with their intervals.",
+                (accuracy ? " Right choices (the paper’s Figure\u00A07)."
+                          : " Naturalness (the paper’s Figure\u00A07).") +
+                " Crosses: the paper’s means. Points: ours, with their intervals.",
             label.empty() ? "Nothing." : label.substr(1),
             {{"height", 300}, {"layer", std::move(layers)}}};
 }

@@ -17,7 +17,7 @@
 namespace deixis::results {
 
 /// Stands where a number is not defined.
-constexpr const char* dash = "&#8211;";
+constexpr const char* dash = "–";
 
 /// Tables are numbered in the order in which they stand; so are figures.
 class Numbering {
