@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assets/joints/joint_positions.hpp"
+#include "motion/upper_body/upper_body.hpp"
 #include "position_import.hpp"
 #include "up_axis.hpp"
 
@@ -16,43 +17,13 @@ namespace {
 
 using Json = nlohmann::json;
 using motion::Bone;
+using motion::UpperJoint;
 
-constexpr double usual_fps = 15.0;
-constexpr std::size_t joint_count = 10;
-constexpr std::size_t position_numbers = 3 * joint_count;
-constexpr std::size_t direction_numbers = 3 * (joint_count - 1);
+constexpr std::size_t position_numbers = 3 * motion::upper_joint_count;
 constexpr const char* expected_frames =
     "expected frames of 30 numbers (x y z of 10 joints) or 27 (directions of 9 bones)";
 
-enum Joint : unsigned char {
-    spine,
-    neck,
-    nose,
-    head_top,
-    left_shoulder,
-    left_elbow,
-    left_wrist,
-    right_shoulder,
-    right_elbow,
-    right_wrist
-};
-
-/// The 9 bones and their lengths, as the toolkit turns directions into positions (data_utils.py).
-struct SgBone {
-    Joint from, to;
-    double length;
-};
-constexpr std::array<SgBone, 9> bones{{{spine, neck, 0.26},
-                                       {neck, nose, 0.18},
-                                       {nose, head_top, 0.14},
-                                       {neck, left_shoulder, 0.22},
-                                       {left_shoulder, left_elbow, 0.36},
-                                       {left_elbow, left_wrist, 0.33},
-                                       {neck, right_shoulder, 0.22},
-                                       {right_shoulder, right_elbow, 0.36},
-                                       {right_elbow, right_wrist, 0.33}}};
-
-using Pose10 = std::array<Vec3, joint_count>;
+using Pose10 = motion::UpperBodyJoints;
 
 /// Numbers of a frame: flat, or x y z of each joint in an array of its own.
 Result<std::vector<double>> numbersOf(const Json& frame, const std::string& where) {
@@ -85,18 +56,14 @@ Result<Pose10> poseOf(const Json& frame, const std::string& where) {
     };
     Pose10 pose{};
     if (numbers->size() == position_numbers) {
-        for (std::size_t j = 0; j < joint_count; ++j) pose[j] = triple(j);
+        for (std::size_t j = 0; j < motion::upper_joint_count; ++j) pose[j] = triple(j);
         return pose;
     }
-    if (numbers->size() != direction_numbers)
+    if (numbers->size() != motion::upper_body_numbers)
         return fail(where, fmt::format("found {} numbers, {}", numbers->size(), expected_frames));
-    for (std::size_t b = 0; b < bones.size(); ++b) {
-        const double length = glm::length(triple(b));
-        if (!(length > 1e-6) || !std::isfinite(length))
-            return fail(where, fmt::format("found no direction for bone {}, {}", b, expected_frames));
-        pose[bones[b].to] = pose[bones[b].from] + bones[b].length / length * triple(b);
-    }
-    return pose;
+    const auto directions = motion::poseFromNumbers(*numbers);
+    if (!directions) return fail(where, fmt::format("{}, {}", directions.error().message, expected_frames));
+    return motion::jointsOf(*directions);
 }
 
 /// The object of an array that options.animation chooses, by its name or index.
@@ -142,26 +109,29 @@ Result<const Json*> framesOf(const Json& file, const std::string& name, const st
 /// Whether the figure, turned to y up, is its own mirror image: its left lies where up and the way that it
 /// faces put the right.
 bool isMirrored(const std::vector<Pose10>& poses, const Quat& turn) {
+    using enum UpperJoint;
     double left = 0.0;
-    for (const Pose10& p : poses) {
-        const Vec3 face = turn * (p[nose] - 0.5 * (p[neck] + p[head_top]));
-        left += glm::dot(turn * (p[left_shoulder] - p[right_shoulder]), glm::cross(up, face));
+    for (const Pose10& pose : poses) {
+        const auto at = [&](UpperJoint joint) { return pose[static_cast<std::size_t>(joint)]; };
+        const Vec3 face = turn * (at(nose) - 0.5 * (at(neck) + at(head_top)));
+        left += glm::dot(turn * (at(left_shoulder) - at(right_shoulder)), glm::cross(up, face));
     }
     return left < 0.0;
 }
 
 motion::BonePositions bonePositions(const Pose10& p) {
     motion::BonePositions out;
-    constexpr std::array<std::pair<Joint, Bone>, 9> joints{{{spine, Bone::spine},
-                                                            {neck, Bone::neck},
-                                                            {nose, Bone::head},
-                                                            {left_shoulder, Bone::leftUpperArm},
-                                                            {left_elbow, Bone::leftLowerArm},
-                                                            {left_wrist, Bone::leftHand},
-                                                            {right_shoulder, Bone::rightUpperArm},
-                                                            {right_elbow, Bone::rightLowerArm},
-                                                            {right_wrist, Bone::rightHand}}};
-    for (const auto& [joint, bone] : joints) out[bone] = p[joint];
+    constexpr std::array<std::pair<UpperJoint, Bone>, 9> joints{
+        {{UpperJoint::spine, Bone::spine},
+         {UpperJoint::neck, Bone::neck},
+         {UpperJoint::nose, Bone::head},
+         {UpperJoint::left_shoulder, Bone::leftUpperArm},
+         {UpperJoint::left_elbow, Bone::leftLowerArm},
+         {UpperJoint::left_wrist, Bone::leftHand},
+         {UpperJoint::right_shoulder, Bone::rightUpperArm},
+         {UpperJoint::right_elbow, Bone::rightLowerArm},
+         {UpperJoint::right_wrist, Bone::rightHand}}};
+    for (const auto& [joint, bone] : joints) out[bone] = p[static_cast<std::size_t>(joint)];
     return out;
 }
 
@@ -186,7 +156,8 @@ Result<ImportedClip> parseSgToolkitJson(std::string_view text, const std::string
     }
     PositionRecording out;
     out.format = "SGToolkit joint positions";
-    out.rate = options.fps ? FoundRate{*options.fps, Origin::given} : FoundRate{usual_fps, Origin::declared};
+    out.rate = options.fps ? FoundRate{*options.fps, Origin::given}
+                           : FoundRate{motion::upper_body_fps, Origin::declared};
     for (const Pose10& pose : poses) out.frames.push_back(bonePositions(pose));
     const FoundUp rise = findUp(out.frames, options.up_axis);
     if (isMirrored(poses, yFromUp(rise.axis))) {

@@ -38,9 +38,10 @@ enum Column {
     author,
     trial,
     target_frame,
-    processing
+    processing,
+    sound
 };
-constexpr std::array<std::string_view, 19> manifest_columns{"clip",
+constexpr std::array<std::string_view, 20> manifest_columns{"clip",
                                                             "system",
                                                             "target_id",
                                                             "target_x",
@@ -58,7 +59,8 @@ constexpr std::array<std::string_view, 19> manifest_columns{"clip",
                                                             "author",
                                                             "trial",
                                                             "target_frame",
-                                                            "processing"};
+                                                            "processing",
+                                                            "sound"};
 constexpr std::size_t required_columns = 13;  // the first ones
 constexpr std::size_t absent = ~std::size_t{0};
 
@@ -188,6 +190,7 @@ Result<ManifestRow> readRow(RowReader reader) {
         row.target_frame = found == "figure" ? TargetFrame::figure : TargetFrame::clip;
     }
     if (reader.has(processing)) row.processing = reader.text(processing);
+    if (reader.has(sound)) row.sound = reader.text(sound);
     if (reader.first()) return tl::unexpected(*reader.first());
     return row;
 }
@@ -266,12 +269,14 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
     const bool trials = any([](const auto& row) { return row.trial.has_value(); });
     const bool frames = any([](const auto& row) { return row.target_frame == TargetFrame::figure; });
     const bool processed = any([](const auto& row) { return !row.processing.empty(); });
+    const bool sounds = any([](const auto& row) { return !row.sound.empty(); });
     std::string out = header();
     if (errors) out += ",source_error_deg,avatar_error_deg";
     if (authors) out += ",author";
     if (trials) out += ",trial";
     if (frames) out += ",target_frame";
     if (processed) out += ",processing";
+    if (sounds) out += ",sound";
     out += "\n";
     for (const ManifestRow& row : rows) {
         out += fmt::format("{},{},{},", csvField(row.clip), csvField(row.system), csvField(row.target_id));
@@ -289,6 +294,7 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
         if (trials) out += row.trial ? fmt::format(",{}", *row.trial) : ",";
         if (frames) out += row.target_frame == TargetFrame::figure ? ",figure" : ",clip";
         if (processed) out += "," + csvField(row.processing);
+        if (sounds) out += "," + csvField(row.sound);
         out += "\n";
     }
     return out;

@@ -42,20 +42,15 @@ const std::vector<Bone>& poseBones() {
     return bones;
 }
 
-Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int window) {
-    const auto left = indexOf(motion, Bone::leftHand);
-    const auto right = indexOf(motion, Bone::rightHand);
-    if (left < 0 || right < 0)
-        return fail("", "found no left and right hand", "Style is measured on both hands");
-    const auto frames = static_cast<int>(motion.positions.front().size());
+Result<std::vector<Style>> styleOfPositions(const std::vector<std::vector<Vec3>>& positions,
+                                            std::size_t left_wrist, std::size_t right_wrist, int window) {
+    const auto frames = static_cast<int>(positions.front().size());
     if (window < 2) return fail("", fmt::format("found a window of {} frames, expected 2 or more", window));
     if (frames < 2) return fail("", fmt::format("found {} frames, style needs at least 2", frames));
 
     std::vector<std::vector<double>> steps_m;  // [joint][frame - 1]
-    for (const auto& trajectory : motion.positions)
+    for (const auto& trajectory : positions)
         steps_m.push_back(magnitudes(trajectory, 1.0, Derivative::speed));
-    const auto l = static_cast<std::size_t>(left);
-    const auto r = static_cast<std::size_t>(right);
     std::vector<Style> out;
     for (int i = 0; i < frames; ++i) {
         const int first = std::max(0, i - window / 2);
@@ -63,11 +58,11 @@ Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int win
         double speed = 0.0, space = 0.0, left_speed = 0.0, right_speed = 0.0;
         for (int j = first; j <= last; ++j) {
             const auto f = static_cast<std::size_t>(j);
-            space += glm::length(motion.positions[l][f] - motion.positions[r][f]);
+            space += glm::length(positions[left_wrist][f] - positions[right_wrist][f]);
             if (f == 0) continue;
             for (const auto& of_joint : steps_m) speed += of_joint[f - 1];
-            left_speed += steps_m[l][f - 1];
-            right_speed += steps_m[r][f - 1];
+            left_speed += steps_m[left_wrist][f - 1];
+            right_speed += steps_m[right_wrist][f - 1];
         }
         const int whole_frames = window / 2 * 2 + 1;
         const double whole = whole_frames;
@@ -77,6 +72,15 @@ Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int win
                        handedness(left_speed, right_speed)});
     }
     return out;
+}
+
+Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int window) {
+    const auto left = indexOf(motion, Bone::leftHand);
+    const auto right = indexOf(motion, Bone::rightHand);
+    if (left < 0 || right < 0)
+        return fail("", "found no left and right hand", "Style is measured on both hands");
+    return styleOfPositions(motion.positions, static_cast<std::size_t>(left), static_cast<std::size_t>(right),
+                            window);
 }
 
 StyleNorm styleNorm(const std::vector<std::vector<Style>>& corpus) {

@@ -41,6 +41,7 @@ struct ManifestRow {
     std::string author{};        ///< who made it, where people do; empty: not known
     std::optional<int> trial{};  ///< which of the author's trials it came from, from 1
     std::string processing{};    ///< what was done to the clip, such as physics_projected; empty: nothing
+    std::string sound{};         ///< WAV file of what is said, relative to the manifest; empty: nothing is
     std::size_t line = 0;        ///< of the file on which the row begins; 0: it comes from no file
 };
 

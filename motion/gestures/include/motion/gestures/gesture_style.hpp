@@ -28,6 +28,12 @@ struct Style {
 [[nodiscard]] Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion,
                                                       int window = style_window);
 
+/// The same of any joints: positions [joint][frame] in metres, of as many frames each, and which two are the
+/// wrists.
+[[nodiscard]] Result<std::vector<Style>> styleOfPositions(const std::vector<std::vector<Vec3>>& positions,
+                                                          std::size_t left_wrist, std::size_t right_wrist,
+                                                          int window = style_window);
+
 /// Mean and standard deviation of each element over a corpus. `sd` is over n.
 struct StyleNorm {
     Style mean;
