@@ -11,6 +11,9 @@
 #include "app/learning_commands/learning_commands.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/help_formatter.hpp"
+#ifdef DEIXIS_STUDIO
+#include "app/studio_commands/studio_commands.hpp"
+#endif
 #include "app/study_commands/study_commands.hpp"
 #include "core/nearest_name.hpp"
 #include "core/number.hpp"
@@ -99,6 +102,9 @@ void addCommands(CLI::App& cli, Command& chosen) {
     group("Commands for statistics", {addPowerCommand, addFitCommand, addStatsCommand});
     group("Commands for clips and systems",
           {addGenerateCommand, addEvaluateCommand, addClipsCommand, addViewCommand, addLearnCommand});
+#ifdef DEIXIS_STUDIO
+    group("Commands for the studio", {addServeCommand});
+#endif
     addDescribeCommand(parser, chosen);
     nameValues(cli);
     guardNumbers(cli);

@@ -1,0 +1,83 @@
+// Gestures to a speech.
+#include <memory>
+#include <utility>
+
+#include "assets/joints/bvh.hpp"
+#include "assets/joints/joint_positions.hpp"
+#include "motion/unit_gestures/rule_set_a.hpp"
+#include "motion/upper_body/upper_body_clip.hpp"
+#include "motion_json.hpp"
+#include "studio_work.hpp"
+
+namespace deixis::server {
+
+namespace {
+
+constexpr const char* rules_system = "rules";
+constexpr double largest_seed = 9007199254740991.0;  // of JavaScript
+
+std::vector<ShapeField> generatedFields() {
+    auto fields = speechFields();
+    fields.push_back(mustField("system", textShape("Which made it", 1)));
+    fields.push_back(
+        mustField("synthetic", booleanShape("Gestures are by rules, or by what was trained on them")));
+    fields.push_back(mustField("fps", integerShape("Frames a second", 15, 15)));
+    fields.push_back(mustField("frames", framesShape()));
+    fields.push_back(mustField("tracks", tracksShape()));
+    fields.push_back(mayField(
+        "bvh", textShape("With format bvh: the avatar's motion as a BVH file, as long as the sound")));
+    fields.push_back(mayField("csv", textShape("With format csv: positions of the avatar's joints")));
+    return fields;
+}
+
+Answer generated(StudioWork& work, const nlohmann::json& asked) {
+    const auto speech = asked.contains("speech_id") ? work.find(asked["speech_id"], "speech_id")
+                                                    : work.speak(asked["text"], asked["voice"]);
+    if (!speech) return tl::unexpected(speech.error());
+    const Utterance& utterance = (*speech)->spoken.utterance;
+    const motion::UpperBodyMotion motion =
+        motion::gesturesByRuleSetA(utterance, work.parts().library, asked["seed"].get<std::uint64_t>())
+            .motion;
+    const motion::Clip clip = motion::avatarClip(motion);
+    nlohmann::json out = speechJson(**speech);
+    out["system"] = asked["system"];
+    out["synthetic"] = true;
+    out["fps"] = static_cast<int>(motion::upper_body_fps);
+    out["frames"] = framesJson(motion);
+    out["tracks"] = tracksJson(clip);
+    const std::string format = asked["format"];
+    if (format == "bvh") out["bvh"] = assets::writeBvh(clipAsLongAs(clip, utterance.duration_s));
+    if (format == "csv") out["csv"] = assets::writeJointCsv(clipAsLongAs(clip, utterance.duration_s));
+    return jsonReply(out);
+}
+
+}  // namespace
+
+std::vector<std::string> gestureSystems() {
+    return {rules_system};
+}
+
+Route generateRoute(const std::shared_ptr<StudioWork>& work) {
+    Route route;
+    route.method = "POST";
+    route.path = "/v1/generate";
+    route.name = "generate";
+    route.about =
+        "Gestures to a text, which is spoken first, or to a speech that the server keeps. The same request "
+        "gives the same "
+        "motion.";
+    Shape body = objectShape(
+        "", {textField(false), mayField("speech_id", textShape("Of a speech that the server keeps", 1, 64)),
+             voiceField(*work), mayField("seed", integerShape("Of random choices", 0, largest_seed), 1),
+             mayField("format",
+                      choiceShape("What comes beside frames; json: nothing", {"bvh", "json", "csv"}), "bvh"),
+             mayField("system", choiceShape("Which makes the gestures", gestureSystems()), rules_system)});
+    body.exactly_one = {"text", "speech_id"};
+    route.body = std::move(body);
+    route.outcomes = {
+        {200, "The speech and its gestures", "application/json", objectShape("", generatedFields())}};
+    route.run = [work](const Call& call) { return generated(*work, call.body); };
+    return route;
+}
+
+}  // namespace deixis::server

@@ -1,0 +1,29 @@
+// The routes of version 1 of the studio: speech, gestures to it, and the library of unit gestures.
+// docs/studio.md says how they are used, and /v1/openapi.json what each takes and answers.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion/unit_gestures/unit_gesture.hpp"
+#include "server/http/route.hpp"
+#include "speech/voice/voices.hpp"
+
+namespace deixis::server {
+
+/// What the routes work with.
+struct StudioParts {
+    std::string version;  ///< of the program
+    std::string commit;
+    motion::GestureLibrary library;
+    speech::Voices voices{};
+    /// Speeches are kept in memory; above this the one that was used least recently is forgotten.
+    std::size_t kept_speech_bytes = std::size_t{256} << 20U;
+};
+
+/// They may be called from several threads, and keep what they need.
+[[nodiscard]] std::vector<Route> studioRoutes(StudioParts parts);
+
+}  // namespace deixis::server

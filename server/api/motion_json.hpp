@@ -1,0 +1,36 @@
+// Motion of the upper body as the routes take and answer it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/error.hpp"
+#include "motion/skeleton/clip.hpp"
+#include "motion/upper_body/upper_body.hpp"
+#include "server/http/json_shape.hpp"
+
+namespace deixis::server {
+
+/// Frames of half an hour, the longest sound.
+inline constexpr std::size_t max_motion_frames = 30 * 60 * 15;
+
+/// 27 numbers each: x y z of nine directions.
+[[nodiscard]] Shape framesShape();
+/// Rounded to 6 decimals.
+[[nodiscard]] nlohmann::json framesJson(const motion::UpperBodyMotion& motion);
+/// Of what framesShape() passes. The error names the frame in `field`: a direction that is none.
+[[nodiscard]] Result<motion::UpperBodyMotion> motionFromJson(const nlohmann::json& frames,
+                                                             const std::string& field);
+
+/// How the avatar's bones turn: for whoever draws it.
+[[nodiscard]] Shape tracksShape();
+/// The bones that are turned in any frame; rounded to 6 decimals. Of a clip on referenceHumanoid().
+[[nodiscard]] nlohmann::json tracksJson(const motion::Clip& clip);
+
+/// Deixis's own avatar, as long as the sound: the last frame is held to the first multiple of a frame's time
+/// that is not before the end, which in a file that knows whole frames only is its last one's time.
+[[nodiscard]] motion::Clip clipAsLongAs(const motion::Clip& clip, double duration_s);
+
+[[nodiscard]] double rounded(double value, double steps);
+
+}  // namespace deixis::server

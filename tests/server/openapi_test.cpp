@@ -1,0 +1,239 @@
+// The document against the routes: every documented route is asked as its schema says, and its answer is what
+// its schema says; each of its fields is refused by its name where it is wrong; and there is no route beside
+// those.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/program.hpp"
+#include "core/text.hpp"
+#include "studio_server.hpp"
+#include "text.hpp"
+
+using namespace deixis;
+using namespace deixis::tests;
+using nlohmann::json;
+
+namespace {
+
+/// A value that the schema allows, with its required fields.
+json exampleOf(const json& schema) {
+    if (schema.contains("enum")) return schema["enum"].back();
+    const json& type = schema["type"];
+    if (type == "boolean") return true;
+    if (type == "integer") return schema.value("minimum", 1);
+    if (type == "number") return schema.value("minimum", 0.0) > 0.0 ? schema["minimum"] : json(0.5);
+    if (type == "string") return "Hello there, this is a long river.";
+    if (type == "array") {
+        json out = json::array();
+        for (int i = 0; i < schema.value("minItems", 1); ++i) out.push_back(exampleOf(schema["items"]));
+        return out;
+    }
+    json out = json::object();
+    std::set<std::string> names;
+    for (const json& name : schema.value("required", json::array())) names.insert(name);
+    if (schema.contains("oneOf"))
+        for (const json& name : schema["oneOf"][0]["required"]) names.insert(name);
+    for (const std::string& name : names) out[name] = exampleOf(schema["properties"][name]);
+    return out;
+}
+
+/// Values that the schema of a field forbids.
+std::vector<json> wrongValues(const json& schema) {
+    std::vector<json> out{nullptr};
+    const json& type = schema["type"];
+    out.push_back(type == "string" ? json(5) : json("text"));
+    if (type == "integer") out.push_back(1.5);
+    if (schema.contains("minimum")) out.push_back(schema["minimum"].get<double>() - 1.0);
+    if (schema.contains("maximum")) out.push_back(schema["maximum"].get<double>() * 2.0 + 1.0);
+    if (schema.contains("enum")) out.push_back("no such choice");
+    if (schema.contains("maxLength"))
+        out.push_back(std::string(schema["maxLength"].get<std::size_t>() + 1, 'a'));
+    if (schema.value("minLength", 0) > 0) out.push_back("");
+    if (schema.value("minItems", 0) > 0) out.push_back(json::array());
+    return out;
+}
+
+struct Operation {
+    std::string method, path;
+    json declared;
+    [[nodiscard]] const json& body() const { return declared["requestBody"]["content"]; }
+    [[nodiscard]] bool takesJson() const {
+        return declared.contains("requestBody") && body().contains("application/json");
+    }
+    [[nodiscard]] bool takesForm() const {
+        return declared.contains("requestBody") && body().contains("multipart/form-data");
+    }
+};
+
+std::vector<Operation> operationsOf(const json& document) {
+    std::vector<Operation> out;
+    for (const auto& [path, methods] : document["paths"].items())
+        for (const auto& [method, declared] : methods.items()) {
+            std::string upper = method;
+            std::transform(upper.begin(), upper.end(), upper.begin(),
+                           [](char c) { return static_cast<char>(c - 32); });
+            out.push_back({upper, path, declared});
+        }
+    return out;
+}
+
+/// Answers and their schemas, to be checked together.
+class Checks {
+  public:
+    explicit Checks(const Scratch& folder) : file_(folder / "answers.jsonl"), out_(file_) {}
+    void add(const Operation& operation, const httplib::Response& answer) {
+        CAPTURE(operation.path);
+        REQUIRE_MESSAGE(answer.status == 200, answer.body);
+        const json& content = operation.declared["responses"]["200"]["content"];
+        const std::string type = answer.get_header_value("Content-Type");
+        CHECK_MESSAGE(content.contains(type), type);
+        if (!content.contains(type) || !content[type].contains("schema")) return;
+        addValue(operation.method + " " + operation.path, content[type]["schema"], json::parse(answer.body));
+    }
+    void addValue(const std::string& name, const json& schema, const json& value) {
+        out_ << json{{"name", name}, {"schema", schema}, {"value", value}} << "\n";
+    }
+    /// What is wrong; empty: nothing.
+    std::string problems() {
+        out_.close();
+        for (const std::string python : {"/usr/bin/python3", "python3"}) {
+            if (shell(python + " -c 'import jsonschema'").status != 0) continue;
+            const auto done =
+                shell(python + " " + sourceDir().string() + "/tests/server/check_answers.py " + file_);
+            return done.out + (done.status == 0 ? "" : done.err + "failed");
+        }
+        tellSkipped("there is no Python with jsonschema");
+        return "";
+    }
+
+  private:
+    std::string file_;
+    std::ofstream out_;
+};
+
+}  // namespace
+
+TEST_SUITE("server/openapi") {
+    TEST_CASE("Every documented route takes and answers what the document says") {
+        const StudioServer server;
+        const json document = server.get("/v1/openapi.json");
+        CHECK(document["openapi"] == "3.1.0");
+        CHECK(document["info"]["version"] == "1.2.3");
+        const Scratch scratch;
+        Checks checks(scratch);
+        auto client = server.client();
+        const json speech = server.post("/v1/speech", {{"text", "Hello there, this is a long river."}}).body;
+        const std::string id = speech["speech_id"];
+        for (const Operation& operation : operationsOf(document)) {
+            CAPTURE(operation.method);
+            CAPTURE(operation.path);
+            CHECK(!operation.declared["operationId"].get<std::string>().empty());
+            CHECK(!operation.declared["description"].get<std::string>().empty());
+            const std::string path =
+                contains(operation.path, "{id}") ? replaced(operation.path, "{id}", id) : operation.path;
+            if (operation.method == "GET") checks.add(operation, *client.Get(path));
+            if (operation.takesJson()) {
+                json request = exampleOf(operation.body()["application/json"]["schema"]);
+                checks.add(operation, *client.Post(path, request.dump(), "application/json"));
+                // Each optional field by itself, at a value of its schema.
+                const json& fields = operation.body()["application/json"]["schema"]["properties"];
+                for (const auto& [name, schema] : fields.items())
+                    for (const json& value : schema.value("enum", json::array({exampleOf(schema)}))) {
+                        json with = request;
+                        if (name == "speech_id") {
+                            with.erase("text");
+                            with[name] = id;
+                        } else {
+                            with[name] = value;
+                        }
+                        if (name == "duration_s") continue;  // of so many frames
+                        CAPTURE(with);
+                        checks.add(operation, *client.Post(path, with.dump(), "application/json"));
+                    }
+            }
+            if (operation.takesForm()) {
+                const auto wav = client.Get(speech["sound"].get<std::string>());
+                REQUIRE(wav->status == 200);
+                const auto answer = client.Post(
+                    path,
+                    httplib::MultipartFormDataItems{{"text", "Hello there, this is a long river.", "", ""},
+                                                    {"sound", wav->body, "a.wav", "audio/wav"}});
+                checks.add(operation, *answer);
+            }
+        }
+        CHECK(checks.problems() == "");
+    }
+
+    TEST_CASE("Each documented field is refused by its name where it is wrong") {
+        const StudioServer server;
+        const json document = server.get("/v1/openapi.json");
+        const json refusal =
+            document["components"]["responses"]["Refusal"]["content"]["application/json"]["schema"];
+        const Scratch scratch;
+        Checks checks(scratch);
+        int fields_tried = 0;
+        for (const Operation& operation : operationsOf(document)) {
+            if (!operation.takesJson()) continue;
+            CAPTURE(operation.path);
+            const json& schema = operation.body()["application/json"]["schema"];
+            const json good = exampleOf(schema);
+            const auto refused = [&](const json& request, const std::string& field) {
+                CAPTURE(request.dump().substr(0, 300));
+                const auto answer = server.post(operation.path, request);
+                CHECK(answer.status == 400);
+                CHECK(answer.field().get<std::string>().substr(0, field.size()) == field);
+                checks.addValue(operation.path, refusal, answer.body);
+            };
+            json with_more = good;
+            with_more["colour"] = "red";
+            refused(with_more, "colour");
+            for (const json& name : schema.value("required", json::array())) {
+                json without = good;
+                without.erase(name.get<std::string>());
+                refused(without, name);
+            }
+            for (const auto& [name, field] : schema["properties"].items()) {
+                ++fields_tried;
+                for (const json& value : wrongValues(field)) {
+                    json wrong = good;
+                    wrong[name] = value;
+                    refused(wrong, name);
+                }
+            }
+        }
+        CHECK(fields_tried >= 12);
+        CHECK(checks.problems() == "");
+    }
+
+    TEST_CASE("No route is undocumented") {
+        const StudioServer server;
+        const json document = server.get("/v1/openapi.json");
+        std::set<std::string> documented, there;
+        for (const Operation& operation : operationsOf(document))
+            documented.insert(operation.method + " " + operation.path);
+        for (const server::Route& route : server::studioRoutes(studioParts()))
+            there.insert(route.method + " " + route.path);
+        CHECK(documented == there);
+        CHECK(documented.count("GET /v1/health") == 1);
+        auto client = server.client();
+        for (const char* path :
+             {"/v1", "/v1/", "/v1/projects", "/v2/health", "/health", "/openapi.json", "/"})
+            CHECK_MESSAGE(client.Get(path)->status == 404, path);
+        CHECK(client.Delete("/v1/motions")->status == 405);
+    }
+
+    TEST_CASE("Health") {
+        const StudioServer server;
+        const json health = server.get("/v1/health");
+        CHECK(health["status"] == "ok");
+        CHECK(health["version"] == "1.2.3");
+        CHECK(health["commit"] == "0123abc");
+        CHECK(health["synthetic"] == true);
+        CHECK(std::count(health["voices"].begin(), health["voices"].end(), quick_voice) == 1);
+    }
+}
