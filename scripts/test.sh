@@ -13,6 +13,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if [ "${1:-}" = all ]; then scripts/install.sh all; else scripts/install.sh tests; fi
 [ -d tests/assets/gltf_validator/node_modules ] || npm ci --silent --prefix tests/assets/gltf_validator
 [ -d tests/browser/node_modules ] || npm ci --silent --prefix tests/browser
+[ -d tests/web/node_modules ] || npm ci --silent --prefix tests/web
+[ -d web/node_modules/typescript ] || npm ci --silent --prefix web
 
 logs=build/test-logs
 mkdir -p $logs

@@ -29,7 +29,7 @@ echo "== headset: configure and build on Debian 13"
 # GCC 14 takes a reference into a static map for one into a temporary.
 inside cmake -S /deixis -B /deixis/build/trixie -G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=RelWithDebInfo \
     "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DDEIXIS_WERROR=ON "-DCMAKE_CXX_FLAGS=-Wno-dangling-reference" \
-    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=24 \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=24 -DDEIXIS_STUDIO=OFF \
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
 targets=(all)
 [ "$unit_tests" = yes ] || targets=(deixis conditions_layer)

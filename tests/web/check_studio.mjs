@@ -1,0 +1,24 @@
+// A whole session in the studio by mouse, another by keyboard alone; what it looks like; and what happens when things go
+// wrong.
+//   node check_studio.mjs SHARE OUT [PROGRAM]
+import path from "node:path";
+import {byKeyboard} from "./by_keyboard.mjs";
+import {byMouse} from "./by_mouse.mjs";
+import {looks} from "./looks.mjs";
+import {goesWrong} from "./goes_wrong.mjs";
+import {inStep} from "./in_step.mjs";
+import {begin} from "./visit.mjs";
+
+const [share, out, program] = process.argv.slice(2).map(word => path.resolve(word));
+const place = await begin({share, out, program});
+try {
+  const only = process.env.ONLY?.split(",");
+  for (const [name, check] of Object.entries({inStep, byMouse, byKeyboard, looks, goesWrong})) {
+    if (only && !only.includes(name)) continue;
+    const begun = performance.now();
+    const found = await check(place);
+    console.log(`check_studio: ${name}: ${found} (${((performance.now() - begun) / 1000).toFixed(1)} s)`);
+  }
+} finally {
+  await place.end();
+}

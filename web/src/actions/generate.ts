@@ -1,0 +1,118 @@
+// Generates gestures, for all of the speech or inside the marked range only.
+import {current} from "immer";
+import {generate, ServerError, soundOf, speak, type Generated, type GenerateRequest} from "../api/client.ts";
+import {posesOf} from "../model/controls.ts";
+import {fingerprint, fps, frameCountOf, styleNames, type Speech, type StudioDocument, type Word} from "../model/document.ts";
+import {following} from "../model/following.ts";
+import {base64Of, bytesOf} from "../playback/base64.ts";
+import {play, warmUp} from "../playback/player.ts";
+import {complain, say} from "../state/messages.ts";
+import {busy, edit, playhead, studioDocument} from "../state/store.ts";
+
+// What is said and by whom.
+const sayingOf = ({text, voice, recording}: StudioDocument) => ({text: text.trim(), voice, recording: recording?.id ?? null});
+const same = (a: ReturnType<typeof sayingOf>, b: ReturnType<typeof sayingOf>) =>
+    a.text === b.text && a.voice === b.voice && a.recording === b.recording;
+
+// Whether the speech in hand is what the text and the voice say.
+export const sameSpeech = (document: StudioDocument): boolean => document.speech !== null && same(document.speech, sayingOf(document));
+
+// The speech that the server keeps for us, by its name there. Its sound comes while gestures are generated.
+interface Kept extends ReturnType<typeof sayingOf> {
+  readonly id: string;
+  readonly duration_s: number;
+  readonly words: readonly Word[];
+  readonly speech: Promise<Speech>;
+}
+let kept: Kept | null = null;
+
+async function spoken(document: StudioDocument): Promise<Kept> {
+  const saying = sayingOf(document);
+  const {recording} = document;
+  const answer = await speak(recording ? {text: saying.text, sound: new Blob([bytesOf(recording.wav) as BlobPart], {type: "audio/wav"})}
+      : {text: saying.text, ...(saying.voice !== null && {voice: saying.voice})});
+  const {speech_id, duration_s, words, accents, pitch, pitch_fps, sound} = answer;
+  const speech = soundOf(sound).then(bytes => ({...saying, duration_s, words, accents, pitch, pitch_fps, wav: base64Of(new Uint8Array(bytes))}));
+  speech.catch(() => { kept = null; });  // who waits for it is told
+  return {...saying, id: speech_id, duration_s, words, speech};
+}
+
+function controlsFor({poseControls, styleControls, bypass, exact}: StudioDocument): Partial<GenerateRequest> {
+  const poses = bypass.pose ? [] : poseControls.map(control => ({start_frame: control.start, frames: posesOf(control)}));
+  const styles = (bypass.style ? [] : styleControls).filter(control => styleNames.some(name => control[name] !== null))
+      .map(control => ({start_frame: control.start, frame_count: control.length,
+        ...Object.fromEntries(styleNames.flatMap(name => control[name] === null ? [] : [[name, control[name]]]))}));
+  return {...(poses.length > 0 && {pose_controls: poses, ...(exact && {exact: true as const})}), ...(styles.length > 0 && {style_controls: styles})};
+}
+
+// A server that was started anew does not know the speech any more: it is told it again.
+async function answerTo(asked: StudioDocument, id: string, keep: Pick<GenerateRequest, "keep">): Promise<Generated> {
+  const rest = {seed: asked.seed, format: "json" as const, ...controlsFor(asked), ...keep};
+  try {
+    return await generate({speech_id: id, ...rest});
+  } catch (problem) {
+    if (!(problem instanceof ServerError) || problem.field !== "speech_id") throw problem;
+    kept = await spoken(asked);
+    return generate({speech_id: kept.id, ...rest});
+  }
+}
+
+// Controls follow their words into a new speech.
+function carried({speech, poseControls, styleControls}: StudioDocument, next: {readonly words: readonly Word[]; readonly duration_s: number}) {
+  if (!speech || speech === next) return {poseControls, styleControls};
+  const total = frameCountOf(next.duration_s);
+  return {poseControls: following(poseControls, speech, next, total), styleControls: following(styleControls, speech, next, total)};
+}
+
+const inWords = (count: number) => count === 1 ? "1 control" : `${count} controls`;
+
+// Of the whole speech, or of the marked range with the frames around it kept as they are.
+export async function generateGestures(within: "all" | "range"): Promise<void> {
+  if (busy.value !== null) return;
+  const document = studioDocument.value;
+  if (document.text.trim() === "") {
+    complain("Type what is said first.");
+    return;
+  }
+  const {motion, range} = document;
+  const partly = within === "range" && motion !== null && range !== null && sameSpeech(document);
+  if (within === "range" && !partly) {
+    complain("Mark a range of the generated motion first: drag over the sound or the words.");
+    return;
+  }
+  busy.value = partly ? "Generating the marked range" : "Generating gestures";
+  try {
+    warmUp();
+    if (!kept || !same(kept, sayingOf(document))) kept = await spoken(document);
+    const {speech: coming} = kept;
+    const next = sameSpeech(document) ? document.speech! : kept;
+    const total = frameCountOf(next.duration_s);
+    const asked = {...document, ...carried(document, next)};
+    const answer = await answerTo(asked, kept.id, partly ? {keep: {frames: motion.frames, from_frame: range.from, to_frame: range.to}} : {});
+    if (answer.frames.length !== total) throw new Error(`The server answered ${answer.frames.length} frames for a speech of ${total}.`);
+    const lost = put(asked, sameSpeech(document) ? document.speech! : await coming, answer, partly ? "Generate the marked range" : "Generate");
+    say(lost > 0 ? `Gestures are ready. ${inWords(lost)} had no room in the new speech; undo brings back what was before.` : "Gestures are ready.");
+    playhead.value = partly ? range.from / fps : 0;
+    void play();
+  } catch (problem) {
+    complain(problem instanceof Error ? problem.message : String(problem));
+  } finally {
+    busy.value = null;
+  }
+}
+
+// How many controls did not fit any more. What was edited meanwhile stays.
+function put(asked: StudioDocument, speech: Speech, answer: Generated, label: string): number {
+  let lost = 0;
+  edit(label, draft => {
+    const total = frameCountOf(speech.duration_s);
+    const before = draft.poseControls.length + draft.styleControls.length;
+    Object.assign(draft, carried(current(draft) as StudioDocument, speech));
+    if (speech !== asked.speech) draft.speech = speech as typeof draft.speech;
+    lost = before - draft.poseControls.length - draft.styleControls.length;
+    if (draft.range && draft.range.to > total) draft.range = null;
+    const {frames, tracks, system, synthetic} = answer;
+    draft.motion = {frames, tracks, system, synthetic, madeFrom: fingerprint(asked)} as typeof draft.motion;
+  });
+  return lost;
+}

@@ -1,0 +1,26 @@
+// The page's parts in their places.
+import {Timeline} from "../timeline/timeline.tsx";
+import {Header} from "./header.tsx";
+import {Help} from "./help.tsx";
+import {Inspector} from "./inspector.tsx";
+import {LibraryPanel} from "./library_panel.tsx";
+import {Messages} from "./messages_view.tsx";
+import {SpeechPanel} from "./speech_panel.tsx";
+import {Stage} from "./stage.tsx";
+
+export function App() {
+  return <>
+    <Header />
+    <main>
+      <div class="left-column">
+        <SpeechPanel />
+        <Inspector />
+      </div>
+      <Stage />
+      <LibraryPanel />
+      <Timeline />
+      <Messages />
+    </main>
+    <Help />
+  </>;
+}

@@ -1,0 +1,82 @@
+// Keys that work wherever the focus is, except where it types or has a use of its own for them.
+import {addShown, copy, cut, flip, paste, remove, unmark} from "../actions/editing.ts";
+import {saveProject} from "../actions/files.ts";
+import {generateGestures} from "../actions/generate.ts";
+import {allControls} from "../model/controls.ts";
+import {seek, toggle} from "../playback/player.ts";
+import {say} from "../state/messages.ts";
+import {duration, looping, muted, select, selection, snapping, studioDocument} from "../state/store.ts";
+import {zoomBy} from "../timeline/scale.ts";
+import {markEnd, markStart} from "../timeline/transport.tsx";
+import {chooseProject, redoAloud, undoAloud} from "./header.tsx";
+import {helpOpen} from "./help.tsx";
+import {addBlankStyle} from "./inspector.tsx";
+
+const types = (element: Element) => element.matches("textarea, select, input:not([type=range])");
+const spoken = () => duration.value > 0;
+
+// With Ctrl (or Cmd). Those that type keep their own copying and undoing.
+const commands: Record<string, {run: () => void; typing: boolean}> = {
+  "enter": {run: () => void generateGestures("all"), typing: true},
+  "shift+enter": {run: () => void generateGestures("range"), typing: true},
+  "s": {run: saveProject, typing: true},
+  "o": {run: chooseProject, typing: true},
+  "z": {run: undoAloud, typing: false},
+  "shift+z": {run: redoAloud, typing: false},
+  "y": {run: redoAloud, typing: false},
+  "a": {run: () => select(...allControls(studioDocument.value).map(control => control.id)), typing: false},
+  "c": {run: copy, typing: false},
+  "x": {run: cut, typing: false},
+  "v": {run: paste, typing: false},
+};
+
+function escape(): void {
+  if (selection.value.size > 0) select();
+  else unmark();
+}
+
+const keys: Record<string, () => void> = {
+  " ": toggle,
+  "delete": remove,
+  "backspace": remove,
+  "d": remove,
+  "f": flip,
+  "p": addShown,
+  "s": () => { if (spoken()) addBlankStyle(); },
+  "i": () => { if (spoken()) markStart(); },
+  "o": () => { if (spoken()) markEnd(); },
+  "l": () => { looping.value = !looping.value; say(looping.value ? "Repeats." : "Plays once."); },
+  "m": () => { muted.value = !muted.value; say(muted.value ? "Sound off." : "Sound on."); },
+  "n": () => { snapping.value = !snapping.value; say(snapping.value ? "Snaps." : "Does not snap."); },
+  "home": () => seek(0),
+  "end": () => seek(studioDocument.value.speech?.duration_s ?? 0),
+  "escape": escape,
+  "+": () => zoomBy(1.5),
+  "=": () => zoomBy(1.5),
+  "-": () => zoomBy(1 / 1.5),
+  "?": () => { helpOpen.value = true; },
+};
+
+export function startShortcuts(): void {
+  window.addEventListener("keydown", event => {
+    const at = event.target as Element;
+    if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
+    const key = event.key.toLowerCase();
+    if (event.ctrlKey || event.metaKey) {
+      const command = commands[`${event.shiftKey ? "shift+" : ""}${key}`];
+      if (!command || types(at) && !command.typing) return;
+      if (key === "c" && String(getSelection()) !== "") return;  // text on the page is copied
+      event.preventDefault();
+      command.run();
+      return;
+    }
+    if (types(at)) return;
+    // Buttons are pressed by space; what lies on the timeline has Enter for that.
+    if (key === " " && at.matches("button:not(.control):not(.word), summary")) return;
+    if (at.matches("input[type=range]") && ["home", "end", "+", "-"].includes(key)) return;
+    const run = keys[key];
+    if (!run) return;
+    event.preventDefault();
+    run();
+  });
+}
