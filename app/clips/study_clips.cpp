@@ -19,12 +19,16 @@
 #include "built_in_clips.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "speech/sound/wav.hpp"
 
 namespace deixis::app {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+// A sound of another length belongs to another clip; one that is read to its end may trail off a little.
+constexpr double max_sound_apart_s = 2.0;
 
 std::string position(const Vec3& p) {
     return fmt::format("({:.4f}, {:.4f}, {:.4f})", p.x, p.y, p.z);
@@ -186,10 +190,35 @@ class SystemClips {
         const auto read = assets::importClip(file);
         if (!read) return broken(read.error());
         checkFrames(row, read->clip);
+        const std::string sound = readSound(row, read->clip);
         if (problems_.size() > before || sources_.avatar == nullptr) return;
         auto clip = onAvatar(*read, file, *bytes, row);
         if (!clip) return broken(clip.error());
+        clip->sound = sound;
         if (auto taken = take(system_, std::move(*clip)); !taken) problem(taken.error());
+    }
+
+    /// Bytes of the file of what is said; empty where there is none, or it is not what it should be.
+    std::string readSound(const assets::ManifestRow& row, const motion::Clip& clip) {
+        if (row.sound.empty()) return {};
+        const auto bytes = readFile(manifest_.file.parent_path() / row.sound);
+        if (!bytes) {
+            problem(row, "sound", bytes.error().where + ": " + bytes.error().message,
+                    "Sounds are looked for beside their manifest");
+            return {};
+        }
+        const auto sound = speech::readWavBytes(*bytes, row.sound);
+        if (!sound) {
+            problem(row, "sound", sound.error().where + ": " + sound.error().message, sound.error().hint);
+            return {};
+        }
+        const double apart_s = durationOf(*sound) - (clip.duration_s() + clip.frame_time_s);
+        if (std::abs(apart_s) > max_sound_apart_s)
+            problem(
+                row, "sound",
+                fmt::format("{} lasts {:.2f} s, but the clip {} {:.2f} s; expected the same within {} s",
+                            row.sound, durationOf(*sound), row.clip, clip.duration_s(), max_sound_apart_s));
+        return *bytes;
     }
 
     void checkFrames(const assets::ManifestRow& row, const motion::Clip& clip) {

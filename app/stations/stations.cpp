@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "app/stations/simulated_setup.hpp"
 
 #ifdef DEIXIS_IMMERSIVE
 #include "app/desktop/desktop_station.hpp"
 #include "app/desktop/drawn_simulation.hpp"
 #include "app/headset/headset_station.hpp"
+#include "app/sound/heard_station.hpp"
 #endif
 
 namespace deixis::app {
@@ -63,17 +67,32 @@ Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest& requ
     return std::move(*station);
 }
 
-#else
-
-Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest&, const studies::Study&,
-                                                      const studies::StudyPlan&, const assets::Avatar&) {
-    return fail("--station", "this program was built without windows (DEIXIS_IMMERSIVE=OFF)",
-                "Use --station simulated, or build with DEIXIS_IMMERSIVE=ON");
+// Where a person sits. Sound is asked for first: whoever sits down before a window expects the session to
+// begin.
+Result<std::unique_ptr<studies::Station>> openForPerson(const StationRequest& request,
+                                                        const studies::Study& study,
+                                                        const studies::StudyPlan& plan,
+                                                        const assets::Avatar& avatar) {
+    std::optional<SoundOutput> output;
+    if (!request.sounds.empty()) {
+        auto opened = SoundOutput::open(request.sounds);
+        if (!opened) return tl::unexpected(opened.error());
+        output = std::move(*opened);
+    }
+    auto station = request.kind == studies::StationKind::desktop ? openDesktop(request, study, plan, avatar)
+                                                                 : openHeadset(request, study, plan, avatar);
+    if (!station || !output) return station;
+    return std::move(*output).withSound(std::move(*station));
 }
 
-Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest&, const studies::Study&,
-                                                      const studies::StudyPlan&, const assets::Avatar&) {
-    return fail("--station", "this program was built without a headset (DEIXIS_IMMERSIVE=OFF)",
+#else
+
+Result<std::unique_ptr<studies::Station>> openForPerson(const StationRequest& request, const studies::Study&,
+                                                        const studies::StudyPlan&, const assets::Avatar&) {
+    const bool headset = request.kind == studies::StationKind::headset;
+    return fail("--station",
+                fmt::format("this program was built without {} (DEIXIS_IMMERSIVE=OFF)",
+                            headset ? "a headset" : "windows"),
                 "Use --station simulated, or build with DEIXIS_IMMERSIVE=ON");
 }
 
@@ -116,8 +135,7 @@ Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& requ
                                                       const studies::Study& study,
                                                       const studies::StudyPlan& plan,
                                                       const assets::Avatar& avatar) {
-    if (request.kind == studies::StationKind::desktop) return openDesktop(request, study, plan, avatar);
-    if (request.kind == studies::StationKind::headset) return openHeadset(request, study, plan, avatar);
+    if (request.kind != studies::StationKind::simulated) return openForPerson(request, study, plan, avatar);
     if (request.operator_window)
         return fail("--operator", "a simulated participant has no window for the experimenter",
                     "Use --station desktop; a headset's window is always there");

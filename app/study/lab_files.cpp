@@ -108,6 +108,7 @@ Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Ava
             if (!items.contains(row->target_id)) continue;
             const fs::path clip = manifest->file.parent_path() / row->clip;
             clips.insert(clip);
+            if (!row->sound.empty()) clips.insert(manifest->file.parent_path() / row->sound);
             for (const fs::path& part : assets::partsOfClip(clip)) clips.insert(part);
             if (const fs::path words = assets::humanoidFileOf(clip); fs::is_regular_file(words, code))
                 clips.insert(words);

@@ -139,9 +139,14 @@ tl::expected<std::string, std::vector<Error>> lockStudy(const StudySetup& setup,
                                        SystemFiles& kept = systems.at(system.name);
                                        clip.row.clip = kept.nameFor(clip);
                                        clip.row.system = system.name;
-                                       const std::string name =
-                                           fmt::format("clips/{}/{}", system.name, clip.row.clip);
+                                       const std::string folder = fmt::format("clips/{}/", system.name);
+                                       const std::string name = folder + clip.row.clip;
+                                       clip.row.sound = clip.sound.empty() ? "" : clip.row.clip + ".wav";
+                                       const std::string sound = folder + clip.row.sound;
                                        kept.rows.push_back(std::move(clip.row));
+                                       if (!clip.sound.empty())
+                                           if (auto added = writer->add(sound, clip.sound); !added)
+                                               return added;
                                        return writer->add(name, clip.bytes);
                                    });
     if (!problems.empty()) return tl::unexpected(std::move(problems));

@@ -7,6 +7,7 @@
 #include <future>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "assets/tables/manifest.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "speech/sound/wav.hpp"
 
 namespace deixis::app {
 
@@ -38,6 +40,35 @@ Result<std::map<studies::Stimulus, Vec3>> wantedBy(const std::vector<studies::St
     return wanted;
 }
 
+/// What is shown in a stage that is not muted.
+std::set<studies::Stimulus> heardIn(const studies::Study& study,
+                                    const std::vector<studies::StudyPlan>& plans) {
+    std::set<std::string> muted;
+    for (const auto& stage : study.stages)
+        if (stage.muted) muted.insert(stage.name);
+    std::set<studies::Stimulus> heard;
+    for (const auto& plan : plans)
+        for (const auto& trial : plan.trials)
+            if (!muted.contains(trial.stage)) heard.insert(trial.stimuli.begin(), trial.stimuli.end());
+    return heard;
+}
+
+/// A file of the locked set, as it was locked, to the byte, whatever was remembered of it.
+struct LockedBytes {
+    std::string name;
+    std::string hash;
+    std::string bytes;
+};
+Result<LockedBytes> lockedBytes(const LockedStudy& locked, const fs::path& file) {
+    auto bytes = readFile(file);
+    if (!bytes) return tl::unexpected(bytes.error());
+    LockedBytes out{file.lexically_relative(locked.folder).generic_string(), sha256Hex(*bytes),
+                    std::move(*bytes)};
+    if (const auto kept = locked.files.find(out.name); kept == locked.files.end() || kept->second != out.hash)
+        return tl::unexpected(damaged(locked.folder, out.name + " was changed"));
+    return out;
+}
+
 }  // namespace
 
 Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
@@ -45,7 +76,11 @@ Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
                                               const assets::Avatar& avatar) {
     const auto wanted = wantedBy(plans);
     if (!wanted) return tl::unexpected(wanted.error());
-    using Part = std::map<studies::Stimulus, Loaded>;
+    const auto heard = heardIn(locked.setup.study, plans);
+    struct Part {
+        std::map<studies::Stimulus, Loaded> clips;
+        std::map<std::string, speech::Sound> sounds;
+    };
     const auto loadSystem = [&](const studies::SystemSource& system) -> Result<Part> {
         const auto manifest = assets::readManifest(locked.manifest(system.name));
         if (!manifest) return tl::unexpected(manifest.error());
@@ -63,19 +98,24 @@ Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
                     fmt::format("has no clip{} for {} at ({:.4f}, {:.4f}, {:.4f}), which a plan shows",
                                 stimulus.clip > 0 ? fmt::format(" {}", stimulus.clip + 1) : "", item.id,
                                 target.x, target.y, target.z));
-            const fs::path file = manifest->file.parent_path() / row->clip;
-            const auto bytes = readFile(file);
-            if (!bytes) return tl::unexpected(bytes.error());
-            // What is shown is what was locked, to the byte, whatever was remembered of the file.
-            const std::string name = file.lexically_relative(locked.folder).generic_string();
-            const std::string hash = sha256Hex(*bytes);
-            if (const auto kept = locked.files.find(name); kept == locked.files.end() || kept->second != hash)
-                return tl::unexpected(damaged(locked.folder, name + " was changed"));
-            const auto read = assets::importClipBytes(*bytes, file.string());
+            const fs::path folder = manifest->file.parent_path();
+            const fs::path file = folder / row->clip;
+            const auto kept = lockedBytes(locked, file);
+            if (!kept) return tl::unexpected(kept.error());
+            const auto read = assets::importClipBytes(kept->bytes, file.string());
             if (!read) return tl::unexpected(read.error());
             auto clip = clipOnAvatar(*read, file.string(), avatar);
             if (!clip) return tl::unexpected(clip.error());
-            part.emplace(stimulus, Loaded{std::move(*clip), {name, hash, row->author, row->trial}});
+            Loaded loaded{std::move(*clip), {kept->name, kept->hash, row->author, row->trial}};
+            if (!row->sound.empty() && heard.contains(stimulus)) {
+                const auto kept_sound = lockedBytes(locked, folder / row->sound);
+                if (!kept_sound) return tl::unexpected(kept_sound.error());
+                auto sound = speech::readWavBytes(kept_sound->bytes, (folder / row->sound).string());
+                if (!sound) return tl::unexpected(sound.error());
+                loaded.sound = {kept_sound->name, durationOf(*sound)};
+                part.sounds.emplace(kept_sound->name, std::move(*sound));
+            }
+            part.clips.emplace(stimulus, std::move(loaded));
         }
         return part;
     };
@@ -87,10 +127,12 @@ Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
     std::optional<Error> first_error;
     for (auto& future : parts) {
         auto part = future.get();
-        if (part)
-            library.clips_.merge(*part);
-        else if (!first_error)
+        if (part) {
+            library.clips_.merge(part->clips);
+            library.sounds_.merge(part->sounds);
+        } else if (!first_error) {
             first_error = part.error();
+        }
     }
     if (first_error) return tl::unexpected(*first_error);
     return library;
@@ -101,6 +143,11 @@ const motion::Clip& StimulusLibrary::clip(const studies::Stimulus& stimulus) con
     if (found == clips_.end())
         throw std::logic_error("clip of " + stimulus.system + " for " + stimulus.item + " was not loaded");
     return found->second.clip;
+}
+
+const studies::ClipSound* StimulusLibrary::sound(const studies::Stimulus& stimulus) const {
+    const auto found = clips_.find(stimulus);
+    return found == clips_.end() || found->second.sound.id.empty() ? nullptr : &found->second.sound;
 }
 
 results::ClipRecords StimulusLibrary::records() const {

@@ -181,6 +181,7 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     const auto feed = std::make_shared<OperatorFeed>();
     StationRequest request = options.station;
     request.operator_feed = feed;
+    request.sounds = stimuli.sounds();
     const auto station = openStation(request, setup.study, enrolment.plan, avatar);
     if (!station) return tl::unexpected(station.error());
     const studies::StationInfo info = (*station)->info();

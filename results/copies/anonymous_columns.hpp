@@ -67,7 +67,7 @@ inline constexpr std::string_view tables_of_decline =
 inline constexpr std::string_view events_kept_whole =
     "stage_start, instructions_read, stimulus_onset, motion_end, replay, feedback, check_failed, warned, "
     "practice_met, practice_failed, practice_answer, excluded, pause, resume, early_select, off_place, "
-    "back_on_place, pointer_lost, pointer_found, recentre, placement, pointing_hand, xr_state";
+    "back_on_place, pointer_lost, pointer_found, recentre, placement, pointing_hand, xr_state, sound";
 
 /// What stations say of themselves; left out are the eyes' distance, which is a person's, and drivers.
 inline constexpr std::string_view properties_kept =

@@ -4,6 +4,11 @@
 
 namespace deixis::studies {
 
+void ClipPlayback::load(const motion::Clip& clip, const ClipSound* sound) {
+    clip_ = &clip;
+    sound_ = sound;
+}
+
 void ClipPlayback::start(double length_s, double now_s) {
     length_s_ = std::max(length_s, 2.0 * AvatarPoser::blend_s);
     end_s_ = now_s + length_s_;
@@ -28,13 +33,20 @@ bool ClipPlayback::leadIn(double now_s) {
 void ClipPlayback::play(double now_s, std::uint64_t frame) {
     if (!first_frame_) first_frame_ = frame;
     if (!onset_) {
+        clip_time_s_ = 0.0;
         poser_.show(*clip_, 0.0);
         return;
     }
-    const double clip_time_s = std::clamp(now_s - onset_->time_s, 0.0, clip_->duration_s());
-    poser_.show(*clip_, clip_time_s);
-    halfway_ = clip_time_s >= clip_->duration_s() / 2.0;
-    if (clip_time_s >= clip_->duration_s() && !last_frame_) last_frame_ = frame;
+    const double length_s = std::max(clip_->duration_s(), sound_ != nullptr ? sound_->duration_s : 0.0);
+    clip_time_s_ = std::clamp(now_s - onset_->time_s, 0.0, length_s);
+    poser_.show(*clip_, clip_time_s_);
+    halfway_ = clip_time_s_ >= length_s / 2.0;
+    if (clip_time_s_ >= length_s && !last_frame_) last_frame_ = frame;
+}
+
+std::optional<SoundView> ClipPlayback::sound() const {
+    if (sound_ == nullptr || clip_time_s_ >= sound_->duration_s) return std::nullopt;
+    return SoundView{sound_->id, clip_time_s_};
 }
 
 Shown ClipPlayback::shown(std::uint64_t frame, const Moment& at) {

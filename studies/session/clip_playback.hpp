@@ -6,6 +6,7 @@
 
 #include "avatar_poser.hpp"
 #include "studies/session/events.hpp"
+#include "studies/session/session.hpp"
 
 namespace deixis::studies {
 
@@ -21,7 +22,8 @@ class ClipPlayback {
     /// Both must outlive the playback.
     ClipPlayback(AvatarPoser& poser, const motion::LocalPose& idle) : poser_(poser), idle_(idle) {}
 
-    void load(const motion::Clip& clip) { clip_ = &clip; }
+    /// `sound` is null where nothing is heard. Where it is longer than the clip the last pose is held.
+    void load(const motion::Clip& clip, const ClipSound* sound);
 
     /// Begins the pause before the clip: the avatar relaxes, and gets into the clip's first pose at its end.
     void start(double length_s, double now_s);
@@ -34,6 +36,8 @@ class ClipPlayback {
     /// shown: its time counts from there.
     void play(double now_s, std::uint64_t frame);
     [[nodiscard]] bool halfway() const { return halfway_; }
+    /// What is heard in the frame played last; without the place of the mouth.
+    [[nodiscard]] std::optional<SoundView> sound() const;
 
     /// A frame was shown at `at`.
     Shown shown(std::uint64_t frame, const Moment& at);
@@ -43,6 +47,8 @@ class ClipPlayback {
     AvatarPoser& poser_;
     const motion::LocalPose& idle_;
     const motion::Clip* clip_ = nullptr;
+    const ClipSound* sound_ = nullptr;
+    double clip_time_s_ = 0.0;  ///< as played last
     double length_s_ = 0.0;
     double end_s_ = 0.0;
     bool approaching_ = false;  ///< the avatar is on its way to the clip's first pose

@@ -6,7 +6,8 @@ namespace deixis::studies {
 
 ClipTrial::ClipTrial(SessionCore& core, const TimelineItem& item)
     : TrialUnit(core, item), playback_(core.poser, core.idle), plays_left_(task_.plays) {
-    playback_.load(core.clipOf(trial_.stimuli.at(0)));
+    const Stimulus& stimulus = trial_.stimuli.at(0);
+    playback_.load(core.clipOf(stimulus), core.soundOf(stimulus, task_));
 }
 
 void ClipTrial::enter(const InputFrame& /*input*/, bool moved) {
@@ -49,6 +50,7 @@ void ClipTrial::step(const InputFrame& input) {
 void ClipTrial::stepPlaying(const InputFrame& input) {
     const bool was_halfway = playback_.halfway();
     playback_.play(core_.now.time_s, core_.view.frame.number);
+    core_.view.frame.sound = playback_.sound();
     if (!playback_.halfway() || was_halfway) return;
     showState(checked(0) ? PresentedState::check : PresentedState::pointing);
     if (checked(0)) showSign(input, false);

@@ -9,7 +9,7 @@ void ComparePage::enter(const InputFrame& input, bool /*moved*/) {
     core_.right_poser.blendTo(core_.idle, core_.now.time_s);
     for (std::size_t i = 0; i < trial_.stimuli.size(); ++i) {
         playbacks_.emplace_back(poserOf(i), core_.idle);
-        playbacks_.back().load(core_.clipOf(trial_.stimuli[i]));
+        playbacks_.back().load(core_.clipOf(trial_.stimuli[i]), core_.soundOf(trial_.stimuli[i], task_));
     }
     openBoard(input);
 }
@@ -90,10 +90,13 @@ void ComparePage::stepPlaying(const InputFrame& input) {
     }
     const bool was_halfway = playback.halfway();
     playback.play(core_.now.time_s, core_.view.frame.number);
+    const bool on_right = &poserOf(*playing_) == &core_.right_poser;
+    core_.view.frame.sound = playback.sound();
+    if (core_.view.frame.sound) core_.view.frame.sound->on_right = on_right;
     if (!playback.halfway() || was_halfway) return;
     const bool number = checked(static_cast<int>(*playing_));
     showState(number ? PresentedState::check : PresentedState::pointing);
-    if (number) showSign(input, &poserOf(*playing_) == &core_.right_poser);
+    if (number) showSign(input, on_right);
 }
 
 void ComparePage::shown(std::uint64_t frame, const Moment& at) {

@@ -200,6 +200,7 @@ void SessionRunner::State::step(const InputFrame& input) {
     view.frame.scene_visible = !over() && !isFullPage(view.frame.state) && !unit->showsPage();
     // A pause freezes the avatar as it is; but it must be there, also where the first frame is paused.
     if (!paused || view.frame.avatar_joints.empty()) core.writeAvatars();
+    core.placeSound();
 }
 
 void SessionRunner::State::guard(const InputFrame& input) {

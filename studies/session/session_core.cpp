@@ -12,6 +12,7 @@ namespace deixis::studies {
 namespace {
 
 constexpr double settle_s = 0.4;
+constexpr Vec3 mouth_in_head(0.0, 0.03, 0.1);  // of an adult, from the joint between neck and head
 
 }  // namespace
 
@@ -40,7 +41,8 @@ SessionCore::SessionCore(const Study& study_in, const ClipSource& clips_in, cons
       keyboard(keyboard_in),
       hint(std::move(hint_in)),
       poser(avatar_in, idle_in),
-      right_poser(avatar_in, idle_in) {}
+      right_poser(avatar_in, idle_in),
+      head_joint_(motion::mapByVrmNames(avatar_in)[motion::Bone::head]) {}
 
 bool SessionCore::settled() const {
     return now.time_s - panel_since_s >= settle_s;
@@ -111,6 +113,14 @@ void SessionCore::advanceAvatars() {
 void SessionCore::writeAvatars() {
     poser.write(view.frame.avatar_joints);
     if (pair) right_poser.write(view.frame.right_avatar_joints);
+}
+
+void SessionCore::placeSound() {
+    if (!view.frame.sound) return;
+    SoundView& sound = *view.frame.sound;
+    const auto& joints = sound.on_right ? view.frame.right_avatar_joints : view.frame.avatar_joints;
+    if (head_joint_ < 0 || static_cast<std::size_t>(head_joint_) >= joints.size()) return;
+    sound.mouth = transformPoint(joints[static_cast<std::size_t>(head_joint_)], mouth_in_head);
 }
 
 void AnswerGate::open(std::uint64_t frame) {

@@ -46,6 +46,10 @@ struct SessionCore {
     [[nodiscard]] Moment momentAt(double time_s) const;
     /// The clip, checked. Throws std::invalid_argument where it is empty or has not the avatar's joints.
     [[nodiscard]] const motion::Clip& clipOf(const Stimulus& stimulus) const;
+    /// What is heard with it in a stage; null: nothing.
+    [[nodiscard]] const ClipSound* soundOf(const Stimulus& stimulus, const Stage& stage) const {
+        return stage.muted ? nullptr : clips.sound(stimulus);
+    }
     /// Of the person, or where the head is somewhere else, of the study.
     [[nodiscard]] double eyeHeight(const InputFrame& input) const;
     [[nodiscard]] Vec3 eyes(const InputFrame& input) const;
@@ -62,6 +66,11 @@ struct SessionCore {
     void standAsPair();
     void advanceAvatars();
     void writeAvatars();
+    /// Puts the sound of the frame where the avatar that makes it has its mouth.
+    void placeSound();
+
+  private:
+    int head_joint_;  ///< -1: the skeleton has none
 };
 
 /// An answer is open only when a frame that shows so has been shown.

@@ -29,6 +29,7 @@ bool sees(const Pose& stage_from_head, const Vec3& point) {
 void SessionView::beginFrame() {
     ++frame.number;
     frame.tick = false;
+    frame.sound.reset();
     met_before_ = std::exchange(met_, {});
     onset_.beginFrame();
 }

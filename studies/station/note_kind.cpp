@@ -51,12 +51,13 @@ constexpr std::array kinds{
     NamedKind{NoteKind::ipd, "ipd"},
     NamedKind{NoteKind::refresh_rate, "refresh_rate"},
     NamedKind{NoteKind::missing_characters, "missing_characters"},
+    NamedKind{NoteKind::sound, "sound"},
 };
 
 constexpr bool everyKindInOrder() {
     for (std::size_t i = 0; i < kinds.size(); ++i)
         if (kinds[i].kind != static_cast<NoteKind>(i)) return false;
-    return kinds.back().kind == NoteKind::missing_characters;
+    return kinds.back().kind == NoteKind::sound;
 }
 static_assert(everyKindInOrder(), "every kind stands in the table, at its place");
 

@@ -192,6 +192,7 @@ void readTrials(TomlTable& table, StageReading& reading, Stage& stage) {
     readDesign(table, study, stage);
     stage.question = table.text("question");
     stage.plays = table.count("plays", 1, 10, stage.plays);
+    stage.muted = table.flag("muted", stage.muted);
     if (kind.has("scale")) stage.scale = readScale(table, "scale");
     if (kind.has("measure")) stage.measure = table.name("measure", stage.name);
     // The report has one table of each name.

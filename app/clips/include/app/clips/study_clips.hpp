@@ -19,6 +19,7 @@ struct StudyClip {
     assets::ManifestRow row;  ///< of the system's manifest; fps as shown
     std::string bytes;        ///< of the file, on the avatar
     std::string extension;    ///< of the file: ".bvh"
+    std::string sound{};      ///< bytes of the WAV file that is heard with it; empty: none is
 };
 
 /// Takes a clip; of one system after another in the order of its manifest, of several systems at once.

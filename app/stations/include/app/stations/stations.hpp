@@ -1,6 +1,7 @@
 // Making the station that a command needs.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "app/session/screenshots.hpp"
 #include "assets/avatar/avatar.hpp"
 #include "core/error.hpp"
+#include "speech/sound/sound.hpp"
 #include "studies/design/plan.hpp"
 #include "studies/simulation/simulated_participant.hpp"
 #include "studies/station/station.hpp"
@@ -23,6 +25,9 @@ struct StationRequest {
     std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells the experimenter
     double resolution_scale = 1.0;  ///< headset: of the size that the runtime recommends
     std::string simulated_parameters;
+    /// What is heard with the clips, by ClipSound::id; empty: nothing is. Simulated participants hear
+    /// nothing.
+    std::map<std::string, speech::Sound> sounds{};
     std::shared_ptr<Screenshots> screenshots = std::make_shared<Screenshots>();  ///< simulated only
 };
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "app/study/locked_study.hpp"
 #include "assets/avatar/avatar.hpp"
 #include "core/error.hpp"
 #include "results/store/store.hpp"
+#include "speech/sound/sound.hpp"
 #include "studies/session/session.hpp"
 
 namespace deixis::app {
@@ -22,14 +24,19 @@ class StimulusLibrary : public studies::ClipSource {
                                                       const assets::Avatar& avatar);
 
     [[nodiscard]] const motion::Clip& clip(const studies::Stimulus& stimulus) const override;
+    [[nodiscard]] const studies::ClipSound* sound(const studies::Stimulus& stimulus) const override;
+    /// All that is heard in the given plans, by ClipSound::id: the name in the locked set.
+    [[nodiscard]] const std::map<std::string, speech::Sound>& sounds() const { return sounds_; }
     [[nodiscard]] results::ClipRecords records() const;
 
   private:
     struct Loaded {
         motion::Clip clip;
         results::ClipRecord record;
+        studies::ClipSound sound{};  ///< without an id where nothing is heard
     };
     std::map<studies::Stimulus, Loaded> clips_;
+    std::map<std::string, speech::Sound> sounds_;
 };
 
 }  // namespace deixis::app

@@ -18,11 +18,20 @@
 
 namespace deixis::studies {
 
-/// Gives the clip of a stimulus, already on the avatar's skeleton. Clips live as long as the source.
+/// What is said in a clip.
+struct ClipSound {
+    std::string id;  ///< under which a station has the samples
+    double duration_s = 0.0;
+};
+
+/// Gives the clip of a stimulus, already on the avatar's skeleton. Clips and sounds live as long as the
+/// source.
 class ClipSource {
   public:
     virtual ~ClipSource() = default;
     [[nodiscard]] virtual const motion::Clip& clip(const Stimulus& stimulus) const = 0;
+    /// Null: nothing is heard with it.
+    [[nodiscard]] virtual const ClipSound* sound(const Stimulus& /*stimulus*/) const { return nullptr; }
 };
 
 /// What earlier sessions of the participant left.

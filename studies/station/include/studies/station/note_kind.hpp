@@ -52,7 +52,8 @@ enum class NoteKind : std::uint8_t {
     pointing_hand,
     ipd,
     refresh_rate,
-    missing_characters
+    missing_characters,
+    sound  ///< how far one that has ended was from its movement
 };
 
 /// "session_start", ...: as the enumerators.

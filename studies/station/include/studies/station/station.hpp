@@ -181,6 +181,14 @@ struct RayView {
     double length_m = 5.0;  ///< that is drawn: up to what it meets
 };
 
+/// A sound that is heard with what is shown.
+struct SoundView {
+    std::string id;       ///< ClipSound::id
+    double time_s = 0.0;  ///< how far into the sound the frame's display time is; 0 until the clip has begun
+    bool on_right = false;  ///< of a pair, the avatar at the participant's right makes it
+    Vec3 mouth{0.0};        ///< of the avatar that makes it, in the stage's frame
+};
+
 /// Everything that a participant can see or hear in one frame; nothing about what the right answer is.
 struct PresentedFrame {
     std::uint64_t number = 0;         ///< counts up; a frame report refers to it
@@ -193,6 +201,7 @@ struct PresentedFrame {
     /// the board that asks; changes where such a board comes or goes.
     std::optional<FirstLook> first_look{};
     std::optional<RayView> ray;
+    std::optional<SoundView> sound{};
     std::optional<Panel> panel;
     /// A small board beside the avatar's head, to be read only: the number of an attention check.
     std::optional<Panel> sign;

@@ -178,6 +178,7 @@ struct Stage {
     std::string measure{};  ///< what the answers are called in tables and report; "" for the game
     std::string question{};
     Scale scale{};        ///< rating, parallel rating
+    bool muted = false;   ///< clips with sound are shown without it
     int plays = 1;        ///< how often a clip is shown before the answer opens
     int max_replays = 0;  ///< further ones, asked for by the participant. Parallel, pairwise: no limit
     int break_every = 0;  ///< trials between breaks; 0: none
