@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURE_PAGE = ROOT / "docs" / "architecture.md"
 LIST_PAGE = ROOT / "docs" / "rooms.md"
 BEGIN, END = "<!-- rooms: made by scripts/draw_rooms.py -->\n", "<!-- end of rooms -->\n"
-MODULES = ["motion", "physics", "learning", "assets", "studies", "results", "renderer", "app"]
+MODULES = ["motion", "physics", "learning", "speech", "assets", "studies", "results", "renderer", "server", "app"]
 
 
 def rooms_of(module):

@@ -27,7 +27,7 @@ struct PhraseSpeaker {
     double beat_delay_s = 0.14;       ///< mean of how much later, from the syllable's end: a choice
     double apex_offset_s = -0.25;     ///< of other strokes, from the accent's middle: so that with the late
                                       ///< beats the mean of all is Loehr's (2004, from memory) 0.017 s
-    double apex_offset_sd_s = 0.6;   ///< so that with the beats the SD of all comes near his 0.341 s
+    double apex_offset_sd_s = 0.6;    ///< so that with the beats the SD of all comes near his 0.341 s
     double most_apex_offset_s = 0.8;  ///< a choice; beyond +-0.5 s people begin to notice (Kirchhof 2014)
     double pointing_offset_sd_s =
         0.06;               ///< of pointing's apex from the accented syllable's end (Esteve-Gibert
