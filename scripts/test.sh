@@ -70,10 +70,11 @@ check_browser_code() {
     }
     node --no-experimental-fetch build/wasm/wasm_tests.js | tail -n 3 # or this Emscripten fetches its own file
 }
-# What somebody scripted does in real time waits for most of its time: it runs beside the rest, and goes first.
+# What somebody scripted does in real time waits for most of its time: it runs beside the rest, and goes first. How
+# quick the studio's page is must not be judged there.
 run_in_real_time() {
     local result=0
-    ctest --preset release -R '^(desktop|browser|learning)/' --timeout 1200 >$logs/release.log 2>&1 || result=1
+    DEIXIS_SLOW_MACHINE=1 ctest --preset release -R '^(desktop|browser|web|learning)/' --timeout 1200 >$logs/release.log 2>&1 || result=1
     scripts/test_headset.sh --scenarios-only >$logs/headset.log 2>&1 || result=1
     return $result
 }

@@ -103,7 +103,7 @@ void addCommands(CLI::App& cli, Command& chosen) {
     group("Commands for clips and systems",
           {addGenerateCommand, addEvaluateCommand, addClipsCommand, addViewCommand, addLearnCommand});
 #ifdef DEIXIS_STUDIO
-    group("Commands for the studio", {addServeCommand});
+    group("Commands for the studio", {addStudioCommand, addServeCommand});
 #endif
     addDescribeCommand(parser, chosen);
     nameValues(cli);

@@ -1,29 +1,17 @@
 // deixis serve: the studio's server.
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/program/command_help.hpp"
-#include "app/program/version.hpp"
 #include "app/studio_commands/studio_commands.hpp"
-#include "assets/data/data_paths.hpp"
-#include "assets/data/unit_gestures.hpp"
-#include "interruption.hpp"
-#include "server/api/studio_api.hpp"
-#include "server/http/http_server.hpp"
+#include "serving.hpp"
 
 namespace deixis::app {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int usual_port = 8765;
 
 struct ServeArguments {
     int port = usual_port;
@@ -55,43 +43,8 @@ server::ServerSettings settingsOf(const ServeArguments& options) {
     if (const auto allowed = server::checkSettings(settings); !allowed)
         rejectUsage(optionOf(allowed.error().where),
                     Error{"", allowed.error().message, allowed.error().hint}.text());
-    // A build without the page serves programs alone.
-    std::error_code code;
-    const fs::path page = assets::dataFile("studio");
-    if (fs::is_directory(page, code)) settings.pages = page;
-    settings.page_files["/avatar.glb"] = assets::dataFile("avatar.glb");
+    addPage(settings);  // a build without the page serves programs alone
     return settings;
-}
-
-/// "0.1.0" of "deixis 0.1.0 (commit ...)".
-std::string versionNumber() {
-    const std::string version = programVersion();
-    const std::size_t from = version.find(' ') + 1;
-    return version.substr(from, version.find(' ', from) - from);
-}
-
-Result<server::StudioParts> studioParts() {
-    auto library = assets::loadUnitGestures(assets::dataFile("unit_gestures.toml"));
-    if (!library) return tl::unexpected(library.error());
-    server::StudioParts parts;
-    parts.version = versionNumber();
-    for (const auto& [name, value] : buildProperties())
-        if (name == "commit") parts.commit = value;
-    parts.library = std::move(*library);
-    return parts;
-}
-
-Result<void> serve(const server::ServerSettings& settings) {
-    auto parts = studioParts();
-    if (!parts) return tl::unexpected(parts.error());
-    const Interruption interruption;
-    const auto server = server::HttpServer::start(settings, server::studioRoutes(std::move(*parts)));
-    if (!server) return tl::unexpected(server.error());
-    fmt::print("{}{}\n", (*server)->address(), settings.token.empty() ? "" : "?token=" + settings.token);
-    std::fflush(stdout);
-    interruption.wait();
-    (*server)->stop();
-    return {};
 }
 
 }  // namespace
@@ -107,10 +60,12 @@ void addServeCommand(Parser cli, Command& chosen) {
         .check(Range(0, 65535))
         .showDefault();
     Option token = command.addOption("--token", options->token, "Token that every request must carry")
+                       .valueName("TOKEN")
                        .showDefault("a new one of 128 random bits");
     command.addFlag("--no-token", options->no_token, "Ask for none; on the loopback only").excludes(token);
     command
         .addOption("--address", options->address, "Address to listen on; others than the loopback need TLS")
+        .valueName("ADDRESS")
         .showDefault();
     command.addOption("--host", options->hosts, "Name by which it is reached, besides its address")
         .valueName("NAME")
@@ -121,7 +76,7 @@ void addServeCommand(Parser cli, Command& chosen) {
     command.addOption("--key", options->key, "Its key (PEM)").valueName("FILE").needs(certificate);
     command.addFlag("--behind-proxy", options->behind_proxy, "A proxy that speaks TLS stands before it");
     command.callback(
-        [options, &chosen] { chosen = [settings = settingsOf(*options)] { return serve(settings); }; });
+        [options, &chosen] { chosen = [settings = settingsOf(*options)] { return serve(settings, {}); }; });
 }
 
 }  // namespace deixis::app

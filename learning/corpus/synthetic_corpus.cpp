@@ -37,9 +37,10 @@ Result<void> checkSettings(const SyntheticCorpusSettings& settings) {
 /// As many texts as fill the time. Text number i is the same in a longer corpus.
 Result<std::vector<speech::SpeechText>> textsFor(const SyntheticCorpusSettings& settings,
                                                  const speech::SentenceGrammar& grammar) {
-    // Narrower than asked for: voices differ from the estimate.
+    // Narrower than asked for, where there is room: voices differ from the estimate.
     constexpr double longer = 1.25, shorter = 0.85;
-    const speech::SpeechLengths lengths{longer * settings.shortest_s, shorter * settings.longest_s};
+    speech::SpeechLengths lengths{longer * settings.shortest_s, shorter * settings.longest_s};
+    if (lengths.min_s >= lengths.max_s) lengths = {settings.shortest_s, settings.longest_s};
     const double mean_s = 0.5 * (lengths.min_s + lengths.max_s);
     for (double share = 1.0;; share *= 1.5) {
         const auto count = static_cast<std::size_t>(share * 60.0 * settings.minutes / mean_s) + 1;

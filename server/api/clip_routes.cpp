@@ -18,7 +18,6 @@ namespace {
 constexpr const char* bvh_type = "text/plain";
 constexpr const char* glb_type = "model/gltf-binary";
 constexpr const char* csv_type = "text/csv";
-constexpr std::size_t largest_motion = std::size_t{32} << 20U;
 
 /// Calls `use` with the motion of the field frames.
 Answer withMotion(const Call& call, const std::function<Answer(const motion::UpperBodyMotion&)>& use) {
@@ -34,7 +33,7 @@ Route tracksRoute() {
     route.name = "tracks";
     route.about = "How the avatar's bones turn in a motion.";
     route.body = objectShape("", {mustField("frames", framesShape())});
-    route.max_body_bytes = largest_motion;
+    route.max_body_bytes = largest_motion_bytes;
     route.outcomes = {
         {200, "For each frame", "application/json", objectShape("", {mustField("tracks", tracksShape())})}};
     route.run = [](const Call& call) {
@@ -77,7 +76,7 @@ Route exportRoute() {
     route.body = objectShape("", {mustField("frames", framesShape()),
                                   mustField("duration_s", numberShape("Of the sound", 0.001, 1800.0)),
                                   mayField("format", choiceShape("", {"bvh", "glb", "csv"}), "bvh")});
-    route.max_body_bytes = largest_motion;
+    route.max_body_bytes = largest_motion_bytes;
     route.outcomes = {{200, "The file", bvh_type}, {200, "The file", glb_type}, {200, "The file", csv_type}};
     route.run = [](const Call& call) {
         return withMotion(call, [&call](const motion::UpperBodyMotion& motion) {

@@ -4,7 +4,7 @@
 
 #include "assets/joints/bvh.hpp"
 #include "assets/joints/joint_positions.hpp"
-#include "motion/unit_gestures/rule_set_a.hpp"
+#include "gesture_making.hpp"
 #include "motion/upper_body/upper_body_clip.hpp"
 #include "motion_json.hpp"
 #include "studio_work.hpp"
@@ -35,15 +35,14 @@ Answer generated(StudioWork& work, const nlohmann::json& asked) {
                                                     : work.speak(asked["text"], asked["voice"]);
     if (!speech) return tl::unexpected(speech.error());
     const Utterance& utterance = (*speech)->spoken.utterance;
-    const motion::UpperBodyMotion motion =
-        motion::gesturesByRuleSetA(utterance, work.parts().library, asked["seed"].get<std::uint64_t>())
-            .motion;
-    const motion::Clip clip = motion::avatarClip(motion);
+    auto made = gesturesTo(**speech, work.parts().library, asked);
+    if (!made) return tl::unexpected(made.error());
+    const motion::Clip clip = motion::avatarClip(made->motion);
     nlohmann::json out = speechJson(**speech);
     out["system"] = asked["system"];
     out["synthetic"] = true;
     out["fps"] = static_cast<int>(motion::upper_body_fps);
-    out["frames"] = framesJson(motion);
+    out["frames"] = std::move(made->frames);
     out["tracks"] = tracksJson(clip);
     const std::string format = asked["format"];
     if (format == "bvh") out["bvh"] = assets::writeBvh(clipAsLongAs(clip, utterance.duration_s));
@@ -72,8 +71,10 @@ Route generateRoute(const std::shared_ptr<StudioWork>& work) {
              mayField("format",
                       choiceShape("What comes beside frames; json: nothing", {"bvh", "json", "csv"}), "bvh"),
              mayField("system", choiceShape("Which makes the gestures", gestureSystems()), rules_system)});
+    for (ShapeField& field : controlFields()) body.fields.push_back(std::move(field));
     body.exactly_one = {"text", "speech_id"};
     route.body = std::move(body);
+    route.max_body_bytes = largest_motion_bytes;
     route.outcomes = {
         {200, "The speech and its gestures", "application/json", objectShape("", generatedFields())}};
     route.run = [work](const Call& call) { return generated(*work, call.body); };

@@ -14,6 +14,9 @@ namespace deixis::server {
 /// Frames of half an hour, the longest sound.
 inline constexpr std::size_t max_motion_frames = 30 * 60 * 15;
 
+/// Of a request with a motion, or several.
+inline constexpr std::size_t largest_motion_bytes = std::size_t{32} << 20U;
+
 /// 27 numbers each: x y z of nine directions.
 [[nodiscard]] Shape framesShape();
 /// Rounded to 6 decimals.

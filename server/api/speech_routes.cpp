@@ -126,7 +126,7 @@ json speechJson(const KeptSpeech& speech) {
     return {{"speech_id", speech.id},
             {"words", std::move(words)},
             {"accents", std::move(accents)},
-            {"duration_s", seconds(utterance.duration_s)},
+            {"duration_s", rounded(utterance.duration_s, 1e9)},
             {"sound", "/v1/speech/" + speech.id + ".wav"}};
 }
 

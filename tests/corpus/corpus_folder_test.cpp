@@ -106,6 +106,14 @@ TEST_SUITE("corpus/folder") {
             CHECK(sum / static_cast<double>(take.motion.frames.size() * motion::upper_bone_count) < 0.2);
             CHECK(most < 8.0);
         }
+        // In files the motion reaches the sound's end.
+        for (const CorpusTake& take : smallCorpus().takes) {
+            const auto bvh =
+                assets::readBvh(folder / speech::corpusPartName(take.part) / (take.name + ".bvh"));
+            REQUIRE(bvh.has_value());
+            CHECK(bvh->clip.duration_s() >= take.utterance.duration_s - 1e-6);
+            CHECK(bvh->clip.duration_s() < take.utterance.duration_s + motion::upper_body_frame_time_s);
+        }
         const auto list = readFile(folder / "corpus.csv");
         REQUIRE(list.has_value());
         const auto sheet = parseCsvSheet(*list, "corpus.csv");

@@ -117,6 +117,18 @@ TEST_SUITE("corpus/synthetic_corpus") {
         }
     }
 
+    TEST_CASE("Speeches that a rate makes too short are spoken slower") {
+        auto settings = shortCorpus();
+        settings.minutes = 1.0;
+        settings.shortest_s = 9.0;
+        settings.longest_s = 16.0;
+        settings.slowest = settings.fastest = 1.5;
+        for (const auto& take : made(settings).takes) {
+            CHECK(take.utterance.duration_s >= 9.0);
+            CHECK(take.utterance.duration_s <= 16.0);
+        }
+    }
+
     TEST_CASE("Settings that make no corpus are told") {
         auto settings = shortCorpus();
         settings.minutes = 0.0;

@@ -94,6 +94,67 @@ TEST_SUITE("server/generate_route") {
         CHECK(csv["csv"].get<std::string>().starts_with("frame,time,"));
     }
 
+    TEST_CASE("Poses that are asked for are met to the bit, and far from them nothing changes") {
+        const StudioServer server;
+        const json plain = server.post("/v1/generate", requestFor({{"format", "json"}})).body["frames"];
+        // Both arms straight out to the sides at frames 20 and 21; see framesShape() for the order.
+        json pose = plain[20];
+        const std::vector<double> out{1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+        for (std::size_t i = 0; i < 6; ++i) {
+            pose[12 + i] = out[i];
+            pose[21 + i] = -out[i];
+        }
+        const json controls = json::array({{{"start_frame", 20}, {"frames", json::array({pose, pose})}}});
+        const auto answer =
+            server.post("/v1/generate", requestFor({{"format", "json"}, {"pose_controls", controls}}));
+        REQUIRE_MESSAGE(answer.status == 200, answer.body.dump());
+        const json& met = answer.body["frames"];
+        REQUIRE(met.size() == plain.size());
+        CHECK(met[20] == pose);
+        CHECK(met[21] == pose);
+        CHECK(met[18] != plain[18]);
+        CHECK(met.back() == plain.back());
+        // The avatar's own arm is there, too: tracks turn other than without the pose.
+        CHECK(answer.body["tracks"]["rotations"][20] !=
+              server.post("/v1/generate", requestFor({{"format", "json"}})).body["tracks"]["rotations"][20]);
+    }
+
+    TEST_CASE("Style changes the frames that it is asked for, and 0 nothing") {
+        const StudioServer server;
+        const json plain = server.post("/v1/generate", requestFor({{"format", "json"}})).body["frames"];
+        const auto styled = [&](double speed) {
+            const json controls =
+                json::array({{{"start_frame", 30}, {"frame_count", 30}, {"speed", speed}, {"space", speed}}});
+            return server.post("/v1/generate", requestFor({{"format", "json"}, {"style_controls", controls}}))
+                .body["frames"];
+        };
+        CHECK(styled(0.0) == plain);
+        const json fast = styled(3.0);
+        REQUIRE(fast.size() == plain.size());
+        CHECK(fast[45] != plain[45]);
+        CHECK(fast[10] == plain[10]);
+        CHECK(fast.back() == plain.back());
+    }
+
+    TEST_CASE("Of a motion that is kept only the range is made anew") {
+        const StudioServer server;
+        const json first =
+            server.post("/v1/generate", requestFor({{"format", "json"}, {"seed", 1}})).body["frames"];
+        const json keep{{"frames", first}, {"from_frame", 20}, {"to_frame", 50}};
+        const json again =
+            server.post("/v1/generate", requestFor({{"format", "json"}, {"seed", 2}, {"keep", keep}}))
+                .body["frames"];
+        REQUIRE(again.size() == first.size());
+        int changed = 0;
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            if (i < 20 || i >= 50)
+                CHECK(again[i] == first[i]);
+            else
+                changed += again[i] != first[i] ? 1 : 0;
+        }
+        CHECK(changed > 20);
+    }
+
     TEST_CASE("Requests that cannot be done name their field") {
         const StudioServer server;
         const auto refused = [&](const json& request, int status, const json& field) {
@@ -113,6 +174,28 @@ TEST_SUITE("server/generate_route") {
         refused(requestFor({{"system", "magic"}}), 400, "system");
         refused({{"text", "Привет"}}, 400, "text");
         refused({{"text", "   "}}, 400, "text");
+        const json frames = server.post("/v1/generate", requestFor({{"format", "json"}})).body["frames"];
+        const auto poses = [&](const json& start, const json& some) {
+            return requestFor({{"pose_controls", json::array({{{"start_frame", start}, {"frames", some}}})}});
+        };
+        refused(poses(frames.size() - 1, json::array({frames[0], frames[0]})), 400,
+                "pose_controls[0].frames");
+        json crooked = frames[0];
+        for (std::size_t i = 0; i < 3; ++i) crooked[i] = 0.0;
+        refused(poses(0, json::array({crooked})), 400, "pose_controls[0].frames[0]");
+        refused(requestFor(
+                    {{"keep", {{"frames", json::array({frames[0]})}, {"from_frame", 0}, {"to_frame", 1}}}}),
+                400, "keep.frames");
+        refused(requestFor({{"keep", {{"frames", frames}, {"from_frame", 5}, {"to_frame", 5}}}}), 400,
+                "keep.to_frame");
+        const auto style = [&](const json& more) {
+            json control{{"start_frame", 0}, {"frame_count", 5}};
+            control.update(more);
+            return requestFor({{"style_controls", json::array({control})}});
+        };
+        refused(style({{"speed", 3.1}}), 400, "style_controls[0].speed");
+        refused(style({{"frame_count", frames.size() + 1}}), 400, "style_controls[0].frame_count");
+        refused(style({{"acceleration", 1}}), 400, "style_controls[0].acceleration");
     }
 
     TEST_CASE("Fifty requests at the same time each get their own") {

@@ -38,6 +38,7 @@ async function loaded(place) {
   const found = [];
   for (let k = 0; k < 5; ++k) {
     const {page, context} = await visit(place);
+    await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
     found.push(await page.evaluate(() => ({
       bytes: [...performance.getEntriesByType("resource"), ...performance.getEntriesByType("navigation")].reduce((sum, one) => sum + one.transferSize, 0),
       drawn_ms: performance.getEntriesByName("first-contentful-paint")[0].startTime, avatar_ms: performance.getEntriesByName("avatar")[0].startTime})));

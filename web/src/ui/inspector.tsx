@@ -19,7 +19,7 @@ const blank: StyleValues = {speed: 0, space: null, handedness: null};
 const meanings: Record<StyleName, {low: string; high: string; label: string}> = {
   speed: {low: "slow", high: "fast", label: "Speed"},
   space: {low: "close", high: "wide", label: "Space"},
-  handedness: {low: "left", high: "right", label: "Handedness"},
+  handedness: {low: "right", high: "left", label: "Handedness"},
 };
 
 function Seconds({label, frames, least, most, onChange}: {label: string; frames: number; least: number; most: number; onChange: (frames: number) => void}) {

@@ -1,0 +1,65 @@
+// deixis studio: the studio in a browser, on this machine.
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "app/program/command_help.hpp"
+#include "app/studio_commands/studio_commands.hpp"
+#include "serving.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct StudioArguments {
+    int port = usual_port;
+    bool no_browser = false;
+};
+
+/// As the desktop does it; where that cannot be, the person does.
+void openInBrowser(const std::string& address) {
+    std::string program = "xdg-open";
+    std::string argument = address;
+    char* const command[] = {program.data(), argument.data(), nullptr};
+    pid_t child = 0;
+    if (posix_spawnp(&child, "xdg-open", nullptr, nullptr, command, environ) != 0)
+        fmt::print(stderr,
+                   "no browser could be opened (xdg-open is not installed): open the address above in one\n");
+}
+
+Result<void> studio(const StudioArguments& options) {
+    server::ServerSettings settings;
+    settings.port = options.port;
+    settings.token = server::newToken();
+    if (!addPage(settings))
+        return fail("studio", "this build has no page",
+                    "Build it where npm can fetch what the page is made of (docs/studio.md)");
+    return serve(settings, options.no_browser ? nullptr : openInBrowser);
+}
+
+}  // namespace
+
+void addStudioCommand(Parser cli, Command& chosen) {
+    auto options = std::make_shared<StudioArguments>();
+    Parser command =
+        cli.addCommand("studio", "Open the studio in the browser: gestures to speech, made by hand and rule");
+    describe(
+        command,
+        {.writes = "the studio's address to standard output; the page keeps its work in the browser, and "
+                   "downloads files. Ctrl-C ends it.",
+         .example = "deixis studio",
+         .page = "docs/studio.md"});
+    command
+        .addOption("--port", options->port,
+                   "Port; the browser keeps the work of each port apart. 0: a free one")
+        .check(Range(0, 65535))
+        .showDefault();
+    command.addFlag("--no-browser", options->no_browser, "Open none; print the address alone");
+    command.callback([options, &chosen] { chosen = [options] { return studio(*options); }; });
+}
+
+}  // namespace deixis::app
