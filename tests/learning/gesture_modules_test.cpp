@@ -268,6 +268,8 @@ TEST_SUITE("learning/gesture_windows") {
                 const double way = (there - poses[run.window][0]).norm().item<double>();
                 const Tensor steps = window.narrow(0, last, 13).diff(1, 0).norm(2, 1);
                 CHECK(steps.max().item<double>() < 1.875 / 12.0 * way + 1e-6);  // minimum jerk's peak
+                CHECK(steps.max().item<double>() > 1.7 / 12.0 * way);
+                CHECK(steps[0].item<double>() < 0.02 * way);
             }
             const Tensor mask = controls[run.window].select(1, motion::control_pose_mask);
             CHECK(mask.sum().item<std::int64_t>() == run.length);

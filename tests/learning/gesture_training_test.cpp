@@ -171,29 +171,6 @@ TEST_SUITE("learning/gesture_training") {
         CHECK(std::equal(exact.frames.begin(), exact.frames.begin() + 69, posed.frames.begin()));
     }
 
-    TEST_CASE("a pose just behind a window's end frees the frames before it, which would else be pinned") {
-        // The window of the frames 30 to 89 does not see frame 92, and the next one begins with what that one
-        // made.
-        SpeechGestureRequest request = requestOf(trainedToy().takes.validation.front());
-        const SpeechGestureModel& model = trainedToy().model;
-        const auto plain = model.generate(request).value();
-        double freed = 0.0, pinned = 0.0;
-        for (std::size_t k = 0; k < 8; ++k) {
-            const auto movedBy = [&](const std::vector<motion::PoseControl>& poses) {
-                request.poses = poses;
-                const auto made = model.generate(request).value();
-                return angleBetween(made.frames[88][motion::UpperBone::right_forearm],
-                                    plain.frames[88][motion::UpperBone::right_forearm]);
-            };
-            std::vector<motion::PoseControl> poses{{92, trainedToy().takes.training[k].motion.frames[50]}};
-            freed += movedBy(poses);
-            for (int f = 60; f < 90; ++f) poses.push_back({f, plain.frames[static_cast<std::size_t>(f)]});
-            pinned += movedBy(poses);
-        }
-        MESSAGE("moved by ", freed / 8, " freed, ", pinned / 8, " pinned");
-        CHECK(freed > 1.3 * pinned);
-    }
-
     TEST_CASE("stopped and gone on with it ends as if it had never been stopped") {
         const TrainingFolder folder;
         const auto whole = folder.path / "whole", parts = folder.path / "parts";

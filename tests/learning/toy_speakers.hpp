@@ -72,6 +72,7 @@ inline learning::GestureSettings toySettings(int epochs) {
     out.discriminator_hidden = 8;
     out.discriminator_layers = 1;
     out.epochs = epochs;
+    out.stride = 15;
     out.batch = 16;
     out.learning_rate = 2e-3;
     out.gan_after = 15;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -70,6 +71,40 @@ inline motion::NetworkWeights randomGestureWeights(const motion::GestureShape& s
     vectors.col(1).setConstant(-2.0F);
     motion::WordVectors({"yes", "shelf"}, vectors).append(out);
     appendRandomNetwork(shape, seed, out);
+    return out;
+}
+
+/// A model of which one knows what it makes: a posed frame is as posed; before and after it each frame has
+/// the share sigmoid(3) of how far the next one is from the mean pose, until a frame that is posed, too. It
+/// hears nothing.
+inline motion::NetworkWeights copyingGestureWeights() {
+    motion::GestureShape shape = smallGestureShape();
+    shape.hidden = 54;
+    shape.layers = 1;
+    motion::NetworkWeights out = randomGestureWeights(shape);
+    const auto hidden = static_cast<std::size_t>(shape.hidden),
+               inputs = static_cast<std::size_t>(shape.inputs());
+    const std::size_t controls = inputs - motion::control_numbers;
+    constexpr float small = 0.01F;  // where tanh is a straight line
+    for (motion::NamedArray& array : out.arrays) {
+        const auto ends = [&](const char* end) { return array.name.ends_with(end); };
+        if (!array.name.starts_with("gru.") && !array.name.starts_with("middle.") &&
+            !array.name.starts_with("output."))
+            continue;
+        std::ranges::fill(array.values, 0.0F);
+        for (std::size_t i = 0; i < motion::upper_body_numbers; ++i) {
+            if (ends("input_weight")) {
+                array.values[(hidden + i) * inputs + controls + motion::control_pose_mask] = -40.0F;
+                array.values[(2 * hidden + i) * inputs + controls + i] = small;
+            }
+            if (ends("input_bias")) array.values[hidden + i] = 3.0F;
+            // Both directions' sum, kept positive between the layers.
+            if (array.name == "middle.weight") array.values[i * hidden + i] = 0.5F / small;
+            if (array.name == "middle.bias") array.values[i] = 8.0F;
+            if (array.name == "output.weight") array.values[i * (hidden / 2) + i] = 1.0F;
+            if (array.name == "output.bias") array.values[i] = -8.0F;
+        }
+    }
     return out;
 }
 

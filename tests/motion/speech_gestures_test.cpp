@@ -148,15 +148,32 @@ TEST_SUITE("motion/speech_gestures") {
         }
     }
 
-    TEST_CASE("a pose just behind a window's end frees the frames before it") {
-        // The window of the frames 30 to 89 does not see frame 92; the one after it could not reach it in 3
-        // frames.
-        SpeechGestureRequest request = speech(8.0);
-        const auto plain = model().generate(request).value();
+    TEST_CASE(
+        "what a window made is a pose for the next one, but just before a pose that only that one sees") {
+        // Each frame is less far from the mean pose than the one nearer to the pose, or as far as it is
+        // pinned to be.
+        const auto copying = SpeechGestureModel::read(tests::copyingGestureWeights()).value();
+        const UpperBodyPose mean = copying.meanPose();
+        const auto off = [&](const UpperBodyMotion& motion, std::size_t f) {
+            return apart(motion.frames[f], mean);
+        };
+        SpeechGestureRequest request = speech(10.0);
+        CHECK(off(copying.generate(request).value(), 75) < 1e-5);
+        request.poses = {{20, pointingUp()}};
+        const auto early = copying.generate(request).value();
+        CHECK(apart(early.frames[20], pointingUp()) < 1e-3);
+        CHECK(off(early, 19) < off(early, 20));
+        // Without what the first window made, the second one, from frame 30 on, would know nothing of it.
+        CHECK(off(early, 58) > 0.02);
         request.poses = {{92, pointingUp()}};
-        const auto posed = model().generate(request).value();
-        CHECK(apart(posed.frames[85], plain.frames[85]) > 1e-4);
-        CHECK(apart(posed.frames[58], plain.frames[58]) == 0.0);  // before that window nothing is known of it
+        const auto late = copying.generate(request).value();
+        CHECK(apart(late.frames[92], pointingUp()) < 1e-3);
+        CHECK(off(late, 91) > 0.3);
+        CHECK(off(late, 88) > 0.2);   // freed
+        CHECK(off(late, 70) < 1e-3);  // pinned to what the window before made, which saw no pose
+        // Seen by both, it needs no frame to be freed: that window made them with the pose in mind.
+        request.poses = {{80, pointingUp()}};
+        CHECK(off(copying.generate(request).value(), 70) > 0.1);
     }
 
     TEST_CASE("what is kept comes back to the bit, and what is changed joins it") {

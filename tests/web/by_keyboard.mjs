@@ -28,7 +28,7 @@ const labels = page => page.locator(".control > .hidden").allTextContents();
 export async function byKeyboard(place) {
   const {page, context, said} = await visit(place);
   await tabTo(page, at => at.id === "text");
-  await page.keyboard.type(sentence);
+  await page.keyboard.type(`${sentence} ${sentence}`); // room for a gesture twice
   await page.keyboard.press("Control+Enter");
   await page.locator(".word").first().waitFor();
   await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));

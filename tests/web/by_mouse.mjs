@@ -44,7 +44,8 @@ export async function byMouse(place) {
   assert.ok(Math.abs(stretched.left - moved.left) < 1 && Math.abs(stretched.right - moved.right - 90) < 8, "stretched at its end");
   await drag(page, stretched, {x: 3000, y: 0});
   const tracks = await middleOf(page.locator(".tracks"));
-  assert.ok((await middleOf(pose)).right <= tracks.right + 1, "stays on the track");
+  const atEnd = await middleOf(pose);
+  assert.ok(atEnd.right <= tracks.right + 1, `stays on the track: ends at ${atEnd.right}, the tracks at ${tracks.right}`);
 
   // Escape while dragging leaves it where it was.
   const here = await middleOf(pose);
@@ -115,7 +116,7 @@ export async function byMouse(place) {
   assert.match(download.suggestedFilename(), /\.bvh$/);
   assert.ok(bvh.startsWith("HIERARCHY") && bvh.includes(`Frames: `), "a BVH file");
 
-  for (const [format, begins] of [["GLB", "glTF"], ["CSV", "time"]]) {
+  for (const [format, begins] of [["GLB", "glTF"], ["CSV", "frame,time"]]) {
     const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: format}).click()]);
     const content = fs.readFileSync(await file.path(), "latin1");
     assert.ok(!place.program || content.startsWith(begins), `${format}: ${content.slice(0, 40)}`);

@@ -36,7 +36,7 @@ export function ControlBlock({control, tabbable, onKey}: {control: Control; tabb
   const span = dragged.value.get(control.id) ?? control;
   const shown = {...control, ...span} as Control;
   const isSelected = selection.value.has(control.id);
-  const width = xOfFrame(span.length);
+  const width = xOfFrame(span.start + span.length) - xOfFrame(span.start);
   const press = (event: PointerEvent) => {
     const content = (event.currentTarget as Element).closest(".tracks")!;
     const {left, right} = (event.currentTarget as Element).getBoundingClientRect();

@@ -58,7 +58,7 @@ export function Ruler() {
 export function RangeBand() {
   const range = draggedRange.value ?? studioDocument.value.range;
   if (!range) return null;
-  return <div class="range" style={{left: `${xOfFrame(range.from)}px`, width: `${xOfFrame(range.to - range.from)}px`}}>
+  return <div class="range" style={{left: `${xOfFrame(range.from)}px`, width: `${xOfFrame(range.to) - xOfFrame(range.from)}px`}}>
     <span class="range-end start" title="Drag the range's start" onPointerDown={event => dragRange(event, contentOf(event), range.to)} />
     <span class="range-end end" title="Drag the range's end" onPointerDown={event => dragRange(event, contentOf(event), range.from)} />
   </div>;

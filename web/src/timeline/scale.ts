@@ -10,7 +10,8 @@ const closest_px = 240;  // a second when it is seen from nearest
 export const pixelsPerSecond = computed(() => duration.value > 0 ? viewport.value * zoom.value / duration.value : 0);
 export const contentWidth = computed(() => Math.round(viewport.value * zoom.value));
 export const xOfSeconds = (time_s: number): number => time_s * pixelsPerSecond.value;
-export const xOfFrame = (frame: number): number => xOfSeconds(frame / fps);
+// The last frame begins within the sound, and is drawn to its end only.
+export const xOfFrame = (frame: number): number => xOfSeconds(Math.min(frame / fps, duration.value));
 // Not rounded.
 export const frameOfX = (x: number): number => pixelsPerSecond.value > 0 ? x / pixelsPerSecond.value * fps : 0;
 

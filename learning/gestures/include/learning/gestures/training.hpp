@@ -46,7 +46,7 @@ struct GestureSettings {
                                .controls = true};
     int discriminator_hidden = 64;
     int discriminator_layers = 2;  ///< the paper's 4
-    int stride = 15;  ///< frames from one window to the next; each epoch moves each by less than that
+    int stride = 20;  ///< frames from one window to the next; each epoch moves each by less than that
     int epochs = 80;
     int batch = 128;  ///< windows an update
     double learning_rate = 5e-4;
