@@ -123,7 +123,7 @@ TEST_SUITE("app/command_convention") {
                 std::vector<std::string> words = wordsOf(example);
                 REQUIRE(words.size() > 1);
                 CHECK(words.front() == "deixis");
-                own = own || example.starts_with("deixis " + command.words + " ");
+                own = own || (example + " ").starts_with("deixis " + command.words + " ");
                 Declared fresh;
                 std::reverse(words.begin(), words.end());
                 words.pop_back();

@@ -1,5 +1,6 @@
 // deixis serve as somebody starts it: the whole program, asked over real sockets.
 #include <chrono>
+#include <filesystem>
 #include <string>
 
 #include "program.hpp"
@@ -16,9 +17,10 @@ constexpr const char* own_token = "my-own-token-0123456789";
 /// The program with these arguments on a free port, once it has told its address.
 class Serving {
   public:
-    explicit Serving(const std::string& arguments)
-        : running_("env ASAN_OPTIONS=detect_leaks=0 " + programFile() + " serve --port 0 " + arguments +
-                   " >" + (scratch_ / "out") + " 2>" + (scratch_ / "err")) {
+    explicit Serving(const std::string& arguments, const std::string& command = "serve",
+                     const std::string& environment = "")
+        : running_("env ASAN_OPTIONS=detect_leaks=0 " + environment + " " + programFile() + " " + command +
+                   " --port 0 " + arguments + " >" + (scratch_ / "out") + " 2>" + (scratch_ / "err")) {
         REQUIRE_MESSAGE(eventually(60, [this] { return contains(out(), "\n") || !running_.running(); }),
                         err());
         REQUIRE_MESSAGE(contains(out(), "\n"), err());
@@ -110,6 +112,26 @@ TEST_SUITE("app/serve") {
         serving.running().kill(SIGTERM);
         CHECK(serving.running().wait() == 0);
         CHECK(!contains(serving.out() + serving.err(), "xylophone"));
+    }
+
+    TEST_CASE("deixis studio opens its page in the browser, with a new token") {
+        const Scratch desktop;
+        spill(desktop / "xdg-open", "#!/bin/sh\nprintf '%s\\n' \"$1\" > '" + (desktop / "opened") + "'\n");
+        std::filesystem::permissions(desktop / "xdg-open", std::filesystem::perms::owner_all);
+        Serving studio("", "studio", "PATH=" + (desktop / "") + ":/usr/bin:/bin");
+        CHECK(eventually(20, [&] { return slurp(desktop / "opened") == studio.out(); }));
+        const std::string line = studio.out();
+        const std::string token = line.substr(line.find("?token=") + 7, 32);
+        CHECK(statusOf(studio.answerTo(studio.head("GET /", ""))) == 401);
+        const std::string page = studio.answerTo(studio.head("GET /", token));
+        CHECK(statusOf(page) == 200);
+        CHECK(contains(page, "Content-Security-Policy: default-src 'self'"));
+        CHECK(contains(bodyOf(page), "studio.js"));
+        studio.running().kill(SIGINT);
+        CHECK(studio.running().wait() == 0);
+        Serving closed("--no-browser", "studio", "PATH=" + (desktop / "") + ":/usr/bin:/bin");
+        CHECK(contains(closed.out(), "/?token="));
+        CHECK(slurp(desktop / "opened") == line);
     }
 
     TEST_CASE("Without a token on the loopback") {

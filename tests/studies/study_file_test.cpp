@@ -268,6 +268,7 @@ TEST_SUITE("studies/study_file") {
         CHECK(rate.design.no_target_twice_running);
         CHECK(rate.measure == "naturalness");
         CHECK(rate.plays == 2);
+        CHECK(rate.muted);
         CHECK(rate.max_replays == 1);
         CHECK(rate.scale.kind == ScaleKind::slider);
         CHECK(rate.scale.labels == std::vector<std::string>{"low", "high"});
