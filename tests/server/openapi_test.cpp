@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <string>
@@ -145,7 +146,12 @@ TEST_SUITE("server/openapi") {
                 for (const auto& [name, schema] : fields.items())
                     for (const json& value : schema.value("enum", json::array({exampleOf(schema)}))) {
                         json with = request;
-                        if (name == "speech_id") {
+                        if (name == "keep") {  // must have as many frames as the speech
+                            const double frames = speech["duration_s"].get<double>() * 15.0;
+                            with[name] = value;
+                            with[name]["frames"] =
+                                json(static_cast<std::size_t>(std::ceil(frames)), value["frames"][0]);
+                        } else if (name == "speech_id") {
                             with.erase("text");
                             with[name] = id;
                         } else {
