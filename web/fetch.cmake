@@ -1,40 +1,4 @@
-# Sees to it that node_modules beside this file holds what package-lock.json names, without what only tests need; else
-# fetches it with npm. Included by the build; `cmake -P web/fetch.cmake` does it alone.
-cmake_minimum_required(VERSION 3.25)
-
-function(deixis_fetch_studio_libraries)
-    set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-    file(READ ${folder}/package-lock.json lock)
-    set(stale "")
-    foreach(library esbuild immer preact @preact/signals three wavesurfer.js)
-        string(JSON wanted GET "${lock}" packages node_modules/${library} version)
-        set(found "none")
-        if(EXISTS ${folder}/node_modules/${library}/package.json)
-            file(READ ${folder}/node_modules/${library}/package.json description)
-            string(JSON found GET "${description}" version)
-        endif()
-        if(NOT found STREQUAL wanted)
-            string(APPEND stale " ${library} ${wanted} (found: ${found})")
-        endif()
-    endforeach()
-    if(NOT stale)
-        return()
-    endif()
-    find_program(DEIXIS_NPM npm)
-    if(DEIXIS_NPM)
-        message(STATUS "Fetching what the studio's page is made of:${stale}")
-        execute_process(COMMAND ${DEIXIS_NPM} ci --omit=dev --loglevel=error --ignore-scripts --no-audit --no-fund --prefix ${folder}
-            RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
-        if(status EQUAL 0)
-            return()
-        endif()
-        string(STRIP "${said}" said)
-        set(reason "npm failed: ${said}")
-    else()
-        set(reason "there is no npm (scripts/install.sh installs it)")
-    endif()
-    message(FATAL_ERROR "What the studio's page is made of is missing in ${folder}/node_modules:${stale}; ${reason}\n"
-        "With a network, run: npm ci --prefix ${folder}")
-endfunction()
-
-deixis_fetch_studio_libraries()
+# What the studio's page is made of, without what only its tests need. Included by the build.
+include(${CMAKE_CURRENT_LIST_DIR}/../cmake/npm.cmake)
+fetch_npm(${CMAKE_CURRENT_LIST_DIR} "what the studio's page is made of"
+    LIBRARIES esbuild immer preact @preact/signals three wavesurfer.js OPTIONS --omit=dev)

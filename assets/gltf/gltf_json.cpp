@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/json_size.hpp"
+
 namespace deixis::assets::gltf {
 
 namespace {
@@ -11,30 +13,14 @@ namespace {
 constexpr int deepest = 64;
 constexpr std::size_t max_values = 3'000'000;
 
-/// Refuses text whose tree would be too deep or too large, by its brackets and commas alone.
+/// Refuses text whose tree would be too deep or too large.
 void checkSize(std::string_view text, const std::string& file) {
-    int depth = 0;
-    std::size_t values = 1;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                in_string = false;
-            continue;
-        }
-        if (c == '"') in_string = true;
-        if (c == '}' || c == ']') --depth;
-        if (c != '{' && c != '[' && c != ',') continue;
-        if (++values > max_values)
-            reject(file,
-                   fmt::format("has more than {} values, more than any clip or figure needs", max_values),
-                   "Export the armature with its animation or its meshes alone");
-        if (c != ',' && ++depth > deepest)
-            reject(file, fmt::format("nests deeper than {} levels, expected a glTF file", deepest));
-    }
+    const JsonSize size = jsonSize(text);
+    if (size.values > max_values)
+        reject(file, fmt::format("has more than {} values, more than any clip or figure needs", max_values),
+               "Export the armature with its animation or its meshes alone");
+    if (size.depth > deepest)
+        reject(file, fmt::format("nests deeper than {} levels, expected a glTF file", deepest));
 }
 
 }  // namespace

@@ -37,6 +37,19 @@ Quat rotationBetween(const Vec3& from, const Vec3& to) {
     return glm::normalize(Quat(1.0 + cosine, axis.x, axis.y, axis.z));
 }
 
+Vec3 rotationVector(const Quat& rotation) {
+    const Vec3 v(rotation.x, rotation.y, rotation.z);
+    const double sine = glm::length(v);
+    if (sine < 1e-12) return Vec3(0.0);
+    return v * (2.0 * std::atan2(sine, rotation.w) / sine);
+}
+
+Quat rotationBy(const Vec3& rotation_vector) {
+    const double angle = glm::length(rotation_vector);
+    if (angle < 1e-12) return no_rotation;
+    return glm::angleAxis(angle, rotation_vector / angle);
+}
+
 Quat yawRotation(double angle_rad) {
     return {std::cos(angle_rad / 2.0), 0.0, std::sin(angle_rad / 2.0), 0.0};
 }

@@ -6,10 +6,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/files.hpp"
 #include "core/hash.hpp"
 #include "gesture_trainer.hpp"
-#include "learning/networks/tensors.hpp"
+#include "learning/networks/training_state.hpp"
 
 namespace deixis::learning {
 
@@ -54,7 +53,7 @@ class GestureTraining {
           settings_(settings),
           provenance_(provenance),
           file_(std::move(file)),
-          state_(file_.string() + ".training"),
+          state_(file_, "takes"),
           trainer_(takes, settings) {}
 
     [[nodiscard]] std::size_t validationWindows() const { return trainer_.validationWindows(); }
@@ -106,15 +105,8 @@ class GestureTraining {
 
     /// Whether there was something to go on from.
     Result<bool> resume() {
-        if (!fs::exists(state_)) return false;
-        try {
-            torch::serialize::InputArchive archive;
-            archive.load_from(state_.string());
+        return state_.load(identity(), [this](torch::serialize::InputArchive& archive) {
             c10::IValue value;
-            archive.read("identity", value);
-            if (value.toStringRef() != identity())
-                return fail(state_.string(), "this is of a training with other settings or takes",
-                            "Remove it to begin anew, or use the settings it was begun with");
             archive.read("updates", value);
             outcome_.updates = static_cast<int>(value.toInt());
             archive.read("best_epoch", value);
@@ -122,21 +114,16 @@ class GestureTraining {
             archive.read("best", value);
             outcome_.best = scoresOf(value.toDoubleVector(), settings_.shape.controls);
             trainer_.load(archive);
-        } catch (const std::exception&) {
-            return fail(state_.string(), "this is no state of a training, or damaged",
-                        "Remove it to begin anew");
-        }
-        return true;
+        });
     }
 
     Result<void> save() const {
-        torch::serialize::OutputArchive archive;
-        archive.write("identity", c10::IValue(identity()));
-        archive.write("updates", c10::IValue(outcome_.updates));
-        archive.write("best_epoch", c10::IValue(outcome_.best_epoch));
-        archive.write("best", c10::IValue(numbersOfScores(outcome_.best)));
-        trainer_.save(archive);
-        return writeFile(state_, bytesOf(archive));
+        return state_.save(identity(), [this](torch::serialize::OutputArchive& archive) {
+            archive.write("updates", c10::IValue(outcome_.updates));
+            archive.write("best_epoch", c10::IValue(outcome_.best_epoch));
+            archive.write("best", c10::IValue(numbersOfScores(outcome_.best)));
+            trainer_.save(archive);
+        });
     }
 
     [[nodiscard]] int epochNow() const {
@@ -178,10 +165,7 @@ class GestureTraining {
 
     [[nodiscard]] Result<void> write() const {
         motion::NetworkWeights weights = trainer_.weights();
-        weights.training_data_sha256 = takes_.sha256;
-        weights.program_version = provenance_.version;
-        weights.commit = provenance_.commit;
-        weights.synthetic = takes_.synthetic;
+        setProvenance(weights, takes_.sha256, takes_.synthetic, settings_.seed, provenance_);
         weights.metrics = {{"updates", double(outcome_.updates)},
                            {"epoch", double(outcome_.best_epoch)},
                            {"validation_fgd_no_controls", outcome_.best.fgd_no_controls},
@@ -209,12 +193,9 @@ class GestureTraining {
     }
 
     [[nodiscard]] tl::unexpected<Error> diverged(int number, double loss) const {
-        const std::string kept = outcome_.best_epoch > 0
-                                     ? fmt::format("The weights of epoch {} are kept", outcome_.best_epoch)
-                                     : std::string("No weights were written yet");
-        return fail(file_.string(),
-                    fmt::format("the training has diverged at update {}: its loss is {}", number, loss),
-                    kept + "; a lower learning rate may help");
+        return tl::unexpected(hasDiverged(
+            file_, number, fmt::format("{}", loss),
+            outcome_.best_epoch > 0 ? fmt::format("epoch {}", outcome_.best_epoch) : std::string()));
     }
 
     Result<GestureOutcome> finish() {
@@ -224,8 +205,7 @@ class GestureTraining {
             const auto kept = outcome_.best_epoch == 0 ? tryOut(progress, losses_, {}) : save();
             if (!kept) return tl::unexpected(kept.error());
         } else {
-            std::error_code ignored;
-            fs::remove(state_, ignored);
+            state_.remove();
         }
         return outcome_;
     }
@@ -234,7 +214,7 @@ class GestureTraining {
     const GestureSettings& settings_;
     const Provenance& provenance_;
     fs::path file_;
-    fs::path state_;
+    TrainingState state_;
     GestureTrainer trainer_;
     GestureOutcome outcome_;
     GestureLosses losses_;  ///< mean since the last report

@@ -5,9 +5,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/files.hpp"
 #include "core/hash.hpp"
-#include "learning/networks/tensors.hpp"
+#include "learning/networks/training_state.hpp"
 #include "trainer.hpp"
 
 namespace deixis::learning {
@@ -28,7 +27,7 @@ class Training {
           settings_(settings),
           provenance_(provenance),
           file_(std::move(file)),
-          state_(file_.string() + ".training"),
+          state_(file_, "demonstrations"),
           trainer_(data, features, settings),
           avatar_(features.skeleton()) {
         outcome_.best.reward = -1.0;  // any other is better
@@ -73,16 +72,9 @@ class Training {
         return sha256Hex(motion::encodeWeights(weights, WeightsPrecision::float32));
     }
 
-    Result<void> resume() {
-        if (!fs::exists(state_)) return {};
-        try {
-            torch::serialize::InputArchive archive;
-            archive.load_from(state_.string());
+    Result<bool> resume() {
+        return state_.load(identity(), [this](torch::serialize::InputArchive& archive) {
             c10::IValue value;
-            archive.read("identity", value);
-            if (value.toStringRef() != identity())
-                return fail(state_.string(), "this is of a training with other settings or demonstrations",
-                            "Remove it to begin anew, or use the settings it was begun with");
             archive.read("updates", value);
             outcome_.updates = static_cast<int>(value.toInt());
             archive.read("best_update", value);
@@ -91,22 +83,17 @@ class Training {
             const auto best = value.toDoubleVector();
             outcome_.best = {.reward = best.at(0), .at_rest = best.at(1), .jerk_ratio = best.at(2)};
             trainer_.load(archive);
-        } catch (const std::exception&) {
-            return fail(state_.string(), "this is no state of a training, or damaged",
-                        "Remove it to begin anew");
-        }
-        return {};
+        });
     }
 
     Result<void> save() const {
-        torch::serialize::OutputArchive archive;
-        archive.write("identity", c10::IValue(identity()));
-        archive.write("updates", c10::IValue(outcome_.updates));
-        archive.write("best_update", c10::IValue(outcome_.best_update));
-        archive.write("best", c10::IValue(std::vector<double>{outcome_.best.reward, outcome_.best.at_rest,
-                                                              outcome_.best.jerk_ratio}));
-        trainer_.save(archive);
-        return writeFile(state_, bytesOf(archive));
+        return state_.save(identity(), [this](torch::serialize::OutputArchive& archive) {
+            archive.write("updates", c10::IValue(outcome_.updates));
+            archive.write("best_update", c10::IValue(outcome_.best_update));
+            archive.write("best", c10::IValue(std::vector<double>{outcome_.best.reward, outcome_.best.at_rest,
+                                                                  outcome_.best.jerk_ratio}));
+            trainer_.save(archive);
+        });
     }
 
     [[nodiscard]] TrainingProgress progressNow() const {
@@ -149,13 +136,9 @@ class Training {
     }
 
     [[nodiscard]] tl::unexpected<Error> diverged(int number, double bits) const {
-        const std::string kept = outcome_.best_update > 0
-                                     ? fmt::format("The weights of update {} are kept", outcome_.best_update)
-                                     : std::string("No weights were written yet");
-        return fail(
-            file_.string(),
-            fmt::format("the training has diverged at update {}: its loss is {} bits a frame", number, bits),
-            kept + "; a lower learning rate may help");
+        return tl::unexpected(hasDiverged(
+            file_, number, fmt::format("{} bits a frame", bits),
+            outcome_.best_update > 0 ? fmt::format("update {}", outcome_.best_update) : std::string()));
     }
 
     Result<TrainingOutcome> finish() {
@@ -165,8 +148,7 @@ class Training {
             const auto kept = outcome_.best_update == 0 ? tryOut(progress) : save();
             if (!kept) return tl::unexpected(kept.error());
         } else {
-            std::error_code ignored;
-            fs::remove(state_, ignored);
+            state_.remove();
         }
         return outcome_;
     }
@@ -175,7 +157,7 @@ class Training {
     const MoglowSettings& settings_;
     const Provenance& provenance_;
     fs::path file_;
-    fs::path state_;
+    TrainingState state_;
     MoglowTrainer trainer_;
     motion::Skeleton avatar_;
     TrainingOutcome outcome_;

@@ -17,13 +17,18 @@ DemonstrationSets splitDemonstrations(std::vector<motion::Demonstration> demonst
     return out;
 }
 
-void setProvenance(motion::NetworkWeights& weights, const DemonstrationSets& data, std::uint64_t seed,
-                   const Provenance& provenance) {
-    weights.training_data_sha256 = data.sha256;
-    weights.synthetic = data.synthetic;
+void setProvenance(motion::NetworkWeights& weights, const std::string& sha256, bool synthetic,
+                   std::uint64_t seed, const Provenance& provenance) {
+    weights.training_data_sha256 = sha256;
+    weights.synthetic = synthetic;
     weights.seed = seed;
     weights.program_version = provenance.version;
     weights.commit = provenance.commit;
+}
+
+void setProvenance(motion::NetworkWeights& weights, const DemonstrationSets& data, std::uint64_t seed,
+                   const Provenance& provenance) {
+    setProvenance(weights, data.sha256, data.synthetic, seed, provenance);
 }
 
 }  // namespace deixis::learning

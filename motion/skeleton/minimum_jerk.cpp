@@ -10,6 +10,14 @@ double minimumJerk(double u) {
     return t * t * t * (10.0 + t * (-15.0 + t * 6.0));
 }
 
+double minimumJerkLeaving(double u) {
+    return u + u * u * u * (-6.0 + u * (8.0 - 3.0 * u));
+}
+
+double minimumJerkArriving(double u) {
+    return u * u * u * (-4.0 + u * (7.0 - 3.0 * u));
+}
+
 double warpedMinimumJerk(double u, double exponent) {
     return minimumJerk(std::pow(std::clamp(u, 0.0, 1.0), exponent));
 }

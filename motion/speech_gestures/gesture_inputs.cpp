@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/number.hpp"
 #include "core/text.hpp"
 #include "motion/networks/layers.hpp"
 #include "motion/upper_body/upper_body.hpp"
@@ -149,46 +148,6 @@ Result<WordVectors> WordVectors::read(const NetworkWeights& weights) {
     auto rows = readMatrix(weights, "word_vectors", static_cast<int>(words.size()), *size);
     if (!rows) return tl::unexpected(rows.error());
     return WordVectors(std::move(words), rows->transpose());
-}
-
-Result<WordVectors> parseWordVectors(std::string_view text, const std::string& file, int most) {
-    std::vector<std::string> words;
-    std::vector<float> numbers;
-    std::size_t size = 0;
-    for (int line = 1; !text.empty() && static_cast<int>(words.size()) < most; ++line) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view rest = trimmed(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        if (rest.empty()) continue;
-        const auto next = [&rest] {
-            const std::size_t blank = std::min(rest.find(' '), rest.size());
-            const std::string_view part = rest.substr(0, blank);
-            rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(' ', blank)));
-            return part;
-        };
-        const auto wrong = [&](const std::string& message) {
-            return fail(fmt::format("{}:{}", file, line), message,
-                        "Expected lines of a word and its numbers, with blanks between");
-        };
-        words.emplace_back(next());
-        if (!storableText(words.back())) return wrong("found a word that is not UTF-8");
-        const std::size_t before = numbers.size();
-        while (!rest.empty()) {
-            const std::string_view part = next();
-            const auto number = finiteNumber(part);
-            if (!number) return wrong(fmt::format("found '{}', expected a number", part));
-            numbers.push_back(static_cast<float>(*number));
-        }
-        const std::size_t found = numbers.size() - before;
-        if (found == 0 || found > largest_vector || (size != 0 && found != size))
-            return wrong(fmt::format("found {} numbers, expected {}", found,
-                                     size != 0 ? std::to_string(size) : "1 to 1000"));
-        size = found;
-    }
-    if (words.empty()) return fail(file, "found no word, expected vectors of words");
-    return WordVectors(std::move(words),
-                       Eigen::Map<const Eigen::MatrixXf>(numbers.data(), static_cast<Eigen::Index>(size),
-                                                         static_cast<Eigen::Index>(numbers.size() / size)));
 }
 
 Eigen::MatrixXf wordFrames(const Utterance& utterance, const WordVectors& vectors, int frames) {

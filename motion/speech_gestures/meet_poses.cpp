@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/order_statistics.hpp"
+#include "motion/skeleton/minimum_jerk.hpp"
 #include "motion/speech_gestures/pose_control.hpp"
 
 namespace deixis::motion {
@@ -25,26 +26,15 @@ struct Target {
     int after = 0;   ///< likewise of the one that leads away
 };
 
-Vec3 rotationVector(const Vec3& from, const Vec3& to) {
-    const Quat rotation = rotationBetween(from, to);
-    const Vec3 axis{rotation.x, rotation.y, rotation.z};
-    const double length = glm::length(axis);
-    return length > 0.0 ? axis * (2.0 * std::atan2(length, rotation.w) / length) : Vec3(0.0);
-}
-
 Vec3 rotated(const Vec3& direction, const Vec3& by) {
-    const double angle = glm::length(by);
-    if (angle == 0.0) return direction;
-    return glm::normalize(glm::angleAxis(angle, by / angle) * direction);
+    if (by == Vec3(0.0)) return direction;
+    return glm::normalize(rotationBy(by) * direction);
 }
 
 /// Minimum-jerk course (Flash & Hogan 1985) with speeds at its ends, at share u of `frames`: from `a`, which
 /// it leaves with speed `va`, to `b`, reached with `vb`.
 Vec3 course(double u, double frames, const Vec3& a, const Vec3& va, const Vec3& b, const Vec3& vb) {
-    const double u3 = u * u * u;
-    return a + (b - a) * (u3 * (10.0 - u * (15.0 - 6.0 * u))) +
-           va * (frames * (u - u3 * (6.0 - u * (8.0 - 3.0 * u)))) -
-           vb * (frames * (u3 * (4.0 - u * (7.0 - 3.0 * u))));
+    return a + (b - a) * minimumJerk(u) + frames * (va * minimumJerkLeaving(u) + vb * minimumJerkArriving(u));
 }
 
 UpperBodyPose turned(const UpperBodyPose& pose, const Rotations& by) {
@@ -87,8 +77,8 @@ class Meeting {
         for (const PoseControl& one : poses) {
             Target target{one.frame, {}, {}, {}};
             for (std::size_t b = 0; b < upper_bone_count; ++b)
-                target.rotation[b] = rotationVector(frames[static_cast<std::size_t>(one.frame)].directions[b],
-                                                    one.pose.directions[b]);
+                target.rotation[b] = rotationVector(rotationBetween(
+                    frames[static_cast<std::size_t>(one.frame)].directions[b], one.pose.directions[b]));
             targets_.push_back(target);
         }
         for (std::size_t i = 0; i + 1 < targets_.size(); ++i) {

@@ -43,19 +43,6 @@ Vec3 nearestTo(const Vec3& other, const Vec3& vector) {
 
 }  // namespace
 
-Vec3 rotationVector(const Quat& rotation) {
-    const Vec3 v(rotation.x, rotation.y, rotation.z);
-    const double sine = glm::length(v);
-    if (sine < 1e-12) return Vec3(0.0);
-    return v * (2.0 * std::atan2(sine, rotation.w) / sine);
-}
-
-Quat rotationBy(const Vec3& rotation_vector) {
-    const double angle = glm::length(rotation_vector);
-    if (angle < 1e-12) return no_rotation;
-    return glm::angleAxis(angle, rotation_vector / angle);
-}
-
 Result<PoseFeatures> PoseFeatures::of(const Skeleton& avatar) {
     const auto body = makePointingBody(avatar);
     if (!body) return tl::unexpected(body.error());

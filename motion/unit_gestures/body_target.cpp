@@ -92,15 +92,6 @@ Vec3 nearestToShoulder(const Vec3& from, const Vec3& to) {
     return from + std::clamp(-glm::dot(from, way) / squared, 0.0, 1.0) * way;
 }
 
-/// Shares of a way on which the speed at its ends is that of the keys gone through: with minimumJerk() for
-/// the way itself the polynomials of fifth degree without acceleration at the ends.
-double leaving(double u) {
-    return u + u * u * u * (-6.0 + u * (8.0 - 3.0 * u));
-}
-double arriving(double u) {
-    return u * u * u * (-4.0 + u * (7.0 - 3.0 * u));
-}
-
 /// By which a key that is gone through is passed, per second; 0 where a stop is made.
 ChannelValues speedAt(const ChannelKeys& keys, std::size_t i) {
     ChannelValues speed{};
@@ -166,7 +157,7 @@ ChannelValues valuesAt(const ChannelKeys& keys, double time_s) {
     ChannelValues out{};
     for (std::size_t v = 0; v < out.size(); ++v)
         out[v] = from.values[v] + (to.values[v] - from.values[v]) * minimumJerk(u) +
-                 way_s * (begin[v] * leaving(u) + end[v] * arriving(u));
+                 way_s * (begin[v] * minimumJerkLeaving(u) + end[v] * minimumJerkArriving(u));
     return out;
 }
 

@@ -7,31 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "core/json_size.hpp"
+
 namespace deixis::server {
 
 namespace {
-
-/// By a scan of its own, before anything is built.
-bool deeperThan(std::string_view text, int allowed) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                in_string = false;
-        } else if (c == '"') {
-            in_string = true;
-        } else if (c == '[' || c == '{') {
-            if (++depth > allowed) return true;
-        } else if (c == ']' || c == '}') {
-            --depth;
-        }
-    }
-    return false;
-}
 
 /// The names of the objects that are open; which of them stands twice.
 struct SeenNames {
@@ -44,7 +24,7 @@ struct SeenNames {
 Result<nlohmann::json> parseJsonText(std::string_view text) {
     using nlohmann::json;
     if (text.empty()) return fail("", "the request has no body, expected JSON");
-    if (deeperThan(text, max_json_depth))
+    if (jsonSize(text).depth > max_json_depth)
         return fail(
             "", fmt::format("lists and objects lie more than {} deep within one another", max_json_depth));
     SeenNames names;

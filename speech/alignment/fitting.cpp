@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/order_statistics.hpp"
 
 namespace deixis::speech {
 
@@ -102,9 +105,7 @@ std::optional<std::pair<int, int>> soundBesides(const std::vector<FoundWord>& wo
         for (int i = word.first; i <= std::min(word.last, frames - 1); ++i)
             in_words.push_back(powers[static_cast<std::size_t>(i)]);
     if (in_words.empty()) return std::nullopt;
-    const auto middle = in_words.begin() + std::ssize(in_words) / 2;
-    std::nth_element(in_words.begin(), middle, in_words.end());
-    const double loud = *middle * std::pow(10.0, loud_db / 10.0);
+    const double loud = upperMedian(std::move(in_words)) * std::pow(10.0, loud_db / 10.0);
     for (std::size_t i = 0; i <= words.size(); ++i) {
         const int first = i == 0 ? 0 : words[i - 1].last + 1;
         const int end = i == words.size() ? frames : std::min(words[i].first, frames);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "core/order_statistics.hpp"
 #include "speech/prosody/pitch.hpp"
 
 namespace deixis::speech {
@@ -47,8 +49,7 @@ Heard heardOf(const std::vector<Syllable>& syllables, std::size_t at, const std:
     if (!voiced.empty()) {
         // Not the very highest: a frame may be wrong.
         const std::size_t rank = voiced.size() - 1 - voiced.size() / 10;
-        std::nth_element(voiced.begin(), voiced.begin() + static_cast<std::ptrdiff_t>(rank), voiced.end());
-        out.semitones = voiced[rank];
+        out.semitones = orderStatistic(std::move(voiced), rank);
     }
     const bool before_pause =
         at + 1 == syllables.size() || syllables[at + 1].start_s - syllable.end_s > pause_s;
@@ -56,11 +57,8 @@ Heard heardOf(const std::vector<Syllable>& syllables, std::size_t at, const std:
     return out;
 }
 
-double medianOf(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+double medianOf(const std::vector<double>& values) {
+    return values.empty() ? 0.0 : upperMedian(values);
 }
 
 double timesAbove(double value, double median, double unit) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -42,7 +43,7 @@ SessionCore::SessionCore(const Study& study_in, const ClipSource& clips_in, cons
       hint(std::move(hint_in)),
       poser(avatar_in, idle_in),
       right_poser(avatar_in, idle_in),
-      head_joint_(motion::mapByVrmNames(avatar_in)[motion::Bone::head]) {}
+      head_joint_(static_cast<std::size_t>(std::max(0, avatar_in.find("head")))) {}
 
 bool SessionCore::settled() const {
     return now.time_s - panel_since_s >= settle_s;
@@ -115,12 +116,14 @@ void SessionCore::writeAvatars() {
     if (pair) right_poser.write(view.frame.right_avatar_joints);
 }
 
+const Pose& SessionCore::avatarHead(bool on_right) const {
+    return (on_right ? view.frame.right_avatar_joints : view.frame.avatar_joints).at(head_joint_);
+}
+
 void SessionCore::placeSound() {
     if (!view.frame.sound) return;
     SoundView& sound = *view.frame.sound;
-    const auto& joints = sound.on_right ? view.frame.right_avatar_joints : view.frame.avatar_joints;
-    if (head_joint_ < 0 || static_cast<std::size_t>(head_joint_) >= joints.size()) return;
-    sound.mouth = transformPoint(joints[static_cast<std::size_t>(head_joint_)], mouth_in_head);
+    sound.mouth = transformPoint(avatarHead(sound.on_right), mouth_in_head);
 }
 
 void AnswerGate::open(std::uint64_t frame) {

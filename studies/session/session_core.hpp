@@ -66,11 +66,13 @@ struct SessionCore {
     void standAsPair();
     void advanceAvatars();
     void writeAvatars();
+    /// In the stage's frame, as written last; where the skeleton has no head, its root.
+    [[nodiscard]] const Pose& avatarHead(bool on_right) const;
     /// Puts the sound of the frame where the avatar that makes it has its mouth.
     void placeSound();
 
   private:
-    int head_joint_;  ///< -1: the skeleton has none
+    std::size_t head_joint_;
 };
 
 /// An answer is open only when a frame that shows so has been shown.

@@ -23,12 +23,8 @@ bool TrialUnit::checked(int i) const {
 }
 
 void TrialUnit::showSign(const InputFrame& input, bool on_right) {
-    const PresentedFrame& frame = core_.view.frame;
-    const std::vector<Pose>& joints = on_right ? frame.right_avatar_joints : frame.avatar_joints;
-    const int found = core_.avatar.find("head");
-    const auto head = static_cast<std::size_t>(found < 0 ? 0 : found);
     const std::string number = fmt::format("{}", trial_.check->expected);
-    core_.view.showSign(core_.words()("attention_number"), number, joints.at(head).position,
+    core_.view.showSign(core_.words()("attention_number"), number, core_.avatarHead(on_right).position,
                         core_.eyes(input));
 }
 

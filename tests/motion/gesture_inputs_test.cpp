@@ -103,19 +103,4 @@ TEST_SUITE("motion/gesture_inputs") {
         WordVectors({}, Eigen::MatrixXf(4, 0)).append(none);
         CHECK(WordVectors::read(none).value().size() == 4);
     }
-
-    TEST_CASE("vectors of a file of lines; a line that is none is named") {
-        const auto read = parseWordVectors("the 1 2.5 -3\nof 0 0 1e-1\r\n\nto 1 1 1\n", "v.txt", 2);
-        REQUIRE(read.has_value());
-        CHECK(read->count() == 2);
-        CHECK(read->vectorOf("of")[2] == 0.1F);
-        const auto error = [](const char* text) {
-            return parseWordVectors(text, "v.txt", 10).error().text();
-        };
-        CHECK(error("a 1 2\nb 1").find("v.txt:2: found 1 numbers, expected 2") != std::string::npos);
-        CHECK(error("a 1 x").find("v.txt:1: found 'x', expected a number") != std::string::npos);
-        CHECK(error("a").find("found 0 numbers") != std::string::npos);
-        CHECK(error("\xFF 1").find("UTF-8") != std::string::npos);
-        CHECK(error(" \n").find("no word") != std::string::npos);
-    }
 }

@@ -45,6 +45,11 @@ struct Ray {
 /// The shortest rotation that takes direction `from` to direction `to` (any length but zero).
 [[nodiscard]] Quat rotationBetween(const Vec3& from, const Vec3& to);
 
+/// Axis times angle; its length is below pi where w of the rotation is not negative, else beyond it. And
+/// back.
+[[nodiscard]] Vec3 rotationVector(const Quat& rotation);
+[[nodiscard]] Quat rotationBy(const Vec3& rotation_vector);
+
 /// Rotation about +y that turns +z towards +x by `angle_rad`.
 [[nodiscard]] Quat yawRotation(double angle_rad);
 

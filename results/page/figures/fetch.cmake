@@ -1,40 +1,4 @@
-# Sees to it that node_modules beside this file holds what package-lock.json names; else fetches it with npm. Included
-# by the build; `cmake -P results/page/figures/fetch.cmake` does it alone.
+# What draws the reports' figures. Included by the build; `cmake -P results/page/figures/fetch.cmake` does it alone.
 cmake_minimum_required(VERSION 3.25)
-
-function(deixis_fetch_figure_libraries)
-    set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-    file(READ ${folder}/package-lock.json lock)
-    set(stale "")
-    foreach(library esbuild vega vega-lite vega-embed)
-        string(JSON wanted GET "${lock}" packages node_modules/${library} version)
-        set(found "none")
-        if(EXISTS ${folder}/node_modules/${library}/package.json)
-            file(READ ${folder}/node_modules/${library}/package.json description)
-            string(JSON found GET "${description}" version)
-        endif()
-        if(NOT found STREQUAL wanted)
-            string(APPEND stale " ${library} ${wanted} (found: ${found})")
-        endif()
-    endforeach()
-    if(NOT stale)
-        return()
-    endif()
-    find_program(DEIXIS_NPM npm)
-    if(DEIXIS_NPM)
-        message(STATUS "Fetching what draws the figures:${stale}")
-        execute_process(COMMAND ${DEIXIS_NPM} ci --loglevel=error --ignore-scripts --no-audit --no-fund --prefix ${folder}
-            RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
-        if(status EQUAL 0)
-            return()
-        endif()
-        string(STRIP "${said}" said)
-        set(reason "npm failed: ${said}")
-    else()
-        set(reason "there is no npm (scripts/install.sh installs it)")
-    endif()
-    message(FATAL_ERROR "What draws the reports' figures is missing in ${folder}/node_modules:${stale}; ${reason}\n"
-        "With a network, run: npm ci --prefix ${folder}")
-endfunction()
-
-deixis_fetch_figure_libraries()
+include(${CMAKE_CURRENT_LIST_DIR}/../../../cmake/npm.cmake)
+fetch_npm(${CMAKE_CURRENT_LIST_DIR} "what draws the reports' figures" LIBRARIES esbuild vega vega-lite vega-embed)

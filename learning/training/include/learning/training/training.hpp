@@ -37,7 +37,9 @@ struct Provenance {
     std::string version;
     std::string commit;
 };
-/// Where they come from, into the file's header.
+/// Where they come from, into the file's header; the hash is of what they were trained on.
+void setProvenance(motion::NetworkWeights& weights, const std::string& sha256, bool synthetic,
+                   std::uint64_t seed, const Provenance& provenance);
 void setProvenance(motion::NetworkWeights& weights, const DemonstrationSets& data, std::uint64_t seed,
                    const Provenance& provenance);
 

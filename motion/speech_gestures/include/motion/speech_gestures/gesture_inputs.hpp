@@ -60,11 +60,6 @@ class WordVectors {
     Eigen::MatrixXf vectors_;
 };
 
-/// Vectors of a file in the usual form: lines "WORD NUMBER NUMBER ...", the commonest word first, of which
-/// the first `most` are taken. Fails, naming the line, where the count of numbers changes or something is no
-/// number.
-[[nodiscard]] Result<WordVectors> parseWordVectors(std::string_view text, const std::string& file, int most);
-
 /// A column for each of `frames`: a word's vector at the frame in which it starts, or the next one that has
 /// no word yet; zeros elsewhere.
 [[nodiscard]] Eigen::MatrixXf wordFrames(const Utterance& utterance, const WordVectors& vectors, int frames);

@@ -49,8 +49,4 @@ class PoseFeatures {
     std::array<std::vector<FingerTurn>, 2> hands_;
 };
 
-/// Length below pi where w of the rotation is not negative, else beyond it; and back.
-[[nodiscard]] Vec3 rotationVector(const Quat& rotation);
-[[nodiscard]] Quat rotationBy(const Vec3& rotation_vector);
-
 }  // namespace deixis::motion
