@@ -149,7 +149,7 @@ TEST_SUITE("server/settings") {
         CHECK(client.Head("/app.js")->get_header_value("Content-Length") == "200000");
         CHECK(client.Post("/app.js", "x", "text/plain")->status == 405);
         CHECK(server.client(false).Get("/")->status == 401);
-        for (const std::string& path :
+        for (const std::string path :
              {"/../secret.txt", "/parts/../../secret.txt", "/..%2fsecret.txt", "/%2e%2e/secret.txt",
               "/..%5csecret.txt", "/parts/..\\..\\secret.txt", "/link.txt", "/up/secret.txt", "/.hidden",
               "/odd%20name.txt", "/parts", "/app.js/", "/app.js%00.html", "/%61pp.js", "//app.js",
