@@ -13,6 +13,9 @@ void addLearnCommand(Parser cli, Command& chosen) {
                      .page = "docs/learning.md"});
     addLearnProjectCommand(learn, chosen);
     addLearnTrainCommands(learn, chosen);
+#ifdef DEIXIS_STUDIO
+    addLearnGesturesCommands(learn, chosen);
+#endif
 }
 
 }  // namespace deixis::app

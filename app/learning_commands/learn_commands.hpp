@@ -7,5 +7,6 @@ namespace deixis::app {
 
 void addLearnProjectCommand(Parser learn, Command& chosen);
 void addLearnTrainCommands(Parser learn, Command& chosen);
+void addLearnGesturesCommands(Parser learn, Command& chosen);
 
 }  // namespace deixis::app

@@ -2,8 +2,6 @@
 // learn join: puts together what was trained in parts.
 #include <fmt/format.h>
 
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <memory>
 
@@ -18,6 +16,7 @@
 #include "motion/learned/gt_nn.hpp"
 #include "start_trainers.hpp"
 #include "training_curves.hpp"
+#include "training_watch.hpp"
 
 namespace deixis::app {
 
@@ -33,14 +32,6 @@ struct LearnTrainArguments {
     bool no_mirror = false;
     bool force = false;
 };
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// The second time the program ends at once.
-void onInterrupt(int) {
-    interrupted = 1;
-    (void)std::signal(SIGINT, SIG_DFL);
-}
 
 /// RANK, WORLD_SIZE, MASTER_ADDR and MASTER_PORT, as launchers of several processes set them; none without
 /// WORLD_SIZE, or where it is 1.
@@ -83,11 +74,9 @@ class Teller {
 
     bool operator()(const TrainingProgress& progress) {
         curves_.add(progress);
-        if (first_done_ < 0.0) first_done_ = progress.done;
         std::string text = progress.part.empty() ? "" : progress.part + ": ";
         text += fmt::format("{:5} of {}", progress.update, progress.updates);
-        const auto left_s = left(progress.done);
-        const std::string left_text = left_s ? fmt::format("; {} left", clockText(*left_s)) : "";
+        const std::string left_text = left_.text(progress.done);
         if (progress.validation) {
             if (const auto written = curves_.write(); !written) problem_ = written.error();
             status_.clear();
@@ -97,23 +86,14 @@ class Teller {
         } else {
             status_.show(text + left_text);
         }
-        return interrupted == 0 && !problem_;
+        return !InterruptWatch::interrupted() && !problem_;
     }
     [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
 
   private:
-    [[nodiscard]] std::optional<double> left(double done) const {
-        const double made = done - first_done_;
-        if (made < 0.01) return std::nullopt;
-        const double elapsed_s = std::chrono::duration<double>(Clock::now() - since_).count();
-        return elapsed_s * (1.0 - done) / made;
-    }
-
-    using Clock = std::chrono::steady_clock;
     TrainingCurves& curves_;
     StatusLine status_;
-    Clock::time_point since_ = Clock::now();
-    double first_done_ = -1.0;
+    TimeLeft left_;
     std::optional<Error> problem_;
 };
 
@@ -158,11 +138,10 @@ Result<void> runTraining(const LearnTrainArguments& options) {
     remark(fmt::format("{} {}demonstrations to train on, {} held out{}", data->training.size(),
                        data->synthetic ? "synthetic " : "", data->validation.size(),
                        goes_on ? "; the training goes on" : ""));
-    (void)std::signal(SIGINT, onInterrupt);
+    const InterruptWatch watch;
     const auto outcome = trainers->train(request, *data, remark, [&](const TrainingProgress& progress) {
-        return tells ? tell(progress) : interrupted == 0;
+        return tells ? tell(progress) : !InterruptWatch::interrupted();
     });
-    (void)std::signal(SIGINT, SIG_DFL);
     if (!outcome) return tl::unexpected(outcome.error());
     if (tell.problem()) return tl::unexpected(*tell.problem());
     if (!tells) return {};

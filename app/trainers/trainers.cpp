@@ -5,6 +5,7 @@
 #include "core/number.hpp"
 #include "learning/amp/training.hpp"
 #include "learning/flow/training.hpp"
+#include "learning/gestures/training.hpp"
 #include "learning/moglow/training.hpp"
 
 namespace deixis::app {
@@ -87,10 +88,23 @@ Result<TrainingOutcome> train(const TrainingRequest& request, const learning::De
     return trainAmp(request, data, remark, report);
 }
 
+Result<learning::GestureOutcome> trainSpeechGestures(const GestureTrainingRequest& request,
+                                                     const learning::GestureTakes& takes,
+                                                     const learning::GestureCallbacks& callbacks) {
+    learning::GestureSettings settings;
+    settings.shape.controls = request.controls;
+    settings.shape.hidden = request.hidden.value_or(settings.shape.hidden);
+    settings.shape.word_size = takes.words.size();
+    settings.epochs = request.epochs.value_or(settings.epochs);
+    settings.seed = request.seed;
+    settings.threads = request.threads;
+    return learning::trainGestures(takes, settings, request.provenance, request.file, callbacks);
+}
+
 }  // namespace
 
 Trainers trainers() {
-    return {train, learning::joinAmp};
+    return {train, trainSpeechGestures, learning::joinAmp};
 }
 
 }  // namespace deixis::app

@@ -249,6 +249,7 @@ motion::NetworkWeights GestureTrainer::weights() const {
     motion::appendPosture(poseOfTensor(mean_), norm_, out);
     words_.append(out);
     model_->append(out.arrays);
+    autoencoder_->append(out.arrays);
     return out;
 }
 

@@ -9,14 +9,6 @@
 
 namespace deixis::learning {
 
-/// Terms of equation 7 before they are weighted; what is not computed is 0.
-struct GestureLosses {
-    double huber = 0.0;
-    double gan = 0.0;
-    double style = 0.0;
-    double discriminator = 0.0;
-};
-
 class GestureTrainer {
   public:
     GestureTrainer(const GestureTakes& takes, const GestureSettings& settings);

@@ -1,5 +1,8 @@
 #include "motion_autoencoder.hpp"
 
+#include <fmt/format.h>
+
+#include "learning/networks/tensors.hpp"
 #include "motion/upper_body/upper_body.hpp"
 
 namespace deixis::learning {
@@ -46,6 +49,19 @@ torch::Tensor MotionAutoencoder::encode(const torch::Tensor& poses) {
 torch::Tensor MotionAutoencoder::decode(const torch::Tensor& latents) {
     const torch::Tensor wide = from_latent_->forward(latents).reshape({-1, wide_channels, short_frames});
     return decoder_->forward(wide).transpose(1, 2);
+}
+
+void MotionAutoencoder::append(std::vector<motion::NamedArray>& out) const {
+    const torch::NoGradGuard no_gradient;
+    int number = 0;
+    for (const auto& layer : *encoder_) {
+        const auto* convolution = layer.ptr()->as<torch::nn::Conv1d>();
+        if (convolution == nullptr) continue;
+        out.push_back(arrayOf(fmt::format("motion.{}.weight", number), convolution->weight));
+        out.push_back(arrayOf(fmt::format("motion.{}.bias", number), convolution->bias));
+        ++number;
+    }
+    appendLinear(to_latent_, "motion.latent", out);
 }
 
 Eigen::MatrixXd MotionAutoencoder::features(const torch::Tensor& poses) {

@@ -4,6 +4,9 @@
 #include <torch/torch.h>
 
 #include <Eigen/Core>
+#include <vector>
+
+#include "motion/networks/weights_file.hpp"
 
 namespace deixis::learning {
 
@@ -17,6 +20,8 @@ class MotionAutoencoder : public torch::nn::Module {
     [[nodiscard]] torch::Tensor decode(const torch::Tensor& latents);
     /// The latents, a row for each window.
     [[nodiscard]] Eigen::MatrixXd features(const torch::Tensor& poses);
+    /// The encoder, as MotionEncoder reads it.
+    void append(std::vector<motion::NamedArray>& out) const;
 
   private:
     torch::nn::Sequential encoder_;

@@ -159,7 +159,9 @@ class GestureTraining {
             outcome_.best_epoch = epochNow();
             if (const auto written = write(); !written) return written;
         }
-        if (callbacks.curve) callbacks.curve(curveLine(tried, of_epoch, progress.best));
+        if (callbacks.epoch)
+            callbacks.epoch(
+                {epochNow(), outcome_.updates, of_epoch, tried, outcome_.mean_pose, progress.best});
         return save();
     }
 
@@ -179,17 +181,6 @@ class GestureTraining {
             weights.metrics["validation_scs"] = outcome_.best.scs;
         }
         return motion::writeWeights(file_, weights, WeightsPrecision::float16);
-    }
-
-    [[nodiscard]] std::string curveLine(const GestureScores& tried, const GestureLosses& losses,
-                                        bool best) const {
-        std::string out =
-            fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}", epochNow(), outcome_.updates,
-                        losses.huber, losses.gan, losses.style, losses.discriminator, tried.fgd_no_controls);
-        out += tried.controls ? fmt::format(",{:.6g},{:.6g},{:.6g},{:.6g}", tried.fgd_pose_controls,
-                                            tried.fgd_style_controls, tried.pcs, tried.scs)
-                              : std::string(",,,,");
-        return out + (best ? ",1" : ",0");
     }
 
     [[nodiscard]] tl::unexpected<Error> diverged(int number, double loss) const {
@@ -232,12 +223,6 @@ Result<void> checkTakes(const std::vector<GestureTake>& takes, const char* what,
 }
 
 }  // namespace
-
-std::string gestureCurveHeader() {
-    return "epoch,updates,huber,gan,style,discriminator,fgd_no_controls,fgd_pose_controls,fgd_style_controls,"
-           "pcs,"
-           "scs,best";
-}
 
 Result<GestureOutcome> trainGestures(const GestureTakes& takes, const GestureSettings& settings,
                                      const Provenance& provenance, const fs::path& file,

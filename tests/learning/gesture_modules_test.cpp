@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "learning/gestures/scores.hpp"
+#include "learning/gesture_scores/scores.hpp"
 #include "learning/networks/optimising.hpp"
 #include "learning/networks/tensors.hpp"
 #include "motion/speech_gestures/gesture_inputs.hpp"

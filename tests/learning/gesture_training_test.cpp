@@ -44,7 +44,7 @@ SpeechGestureRequest requestOf(const GestureTake& take) {
 struct Toy {
     GestureTakes takes = toyTakes(24, 4, 12.0);
     std::vector<double> huber;  ///< of each report
-    std::vector<std::string> curve;
+    std::vector<GestureEpoch> curve;
     GestureOutcome outcome;
     motion::NetworkWeights weights;
     SpeechGestureModel model;
@@ -59,7 +59,7 @@ const Toy& trainedToy() {
                                          toy.huber.push_back(progress.numbers.at(1).second);
                                          return true;
                                      },
-                                     [&](const std::string& line) { toy.curve.push_back(line); }})
+                                     [&](const GestureEpoch& epoch) { toy.curve.push_back(epoch); }})
                           .value();
         toy.weights = motion::readWeights(folder.path / "toy", motion::speech_gestures_architecture).value();
         toy.model = SpeechGestureModel::read(toy.weights).value();
@@ -99,8 +99,9 @@ TEST_SUITE("learning/gesture_training") {
         const Toy& toy = trainedToy();
         CHECK(toy.huber.back() < 0.5 * toy.huber.front());
         CHECK(toy.curve.size() == 25);
-        const auto columns = [](const std::string& line) { return std::ranges::count(line, ','); };
-        CHECK(columns(toy.curve.front()) == columns(gestureCurveHeader()));
+        CHECK(toy.curve.back().epoch == 25);
+        CHECK(toy.curve.at(static_cast<std::size_t>(toy.outcome.best_epoch - 1)).best);
+        CHECK(toy.curve.back().mean_pose.pcs == toy.outcome.mean_pose.pcs);
         const GestureScores &best = toy.outcome.best, &still = toy.outcome.mean_pose;
         CHECK(best.pcs < 0.6 * still.pcs);
         CHECK(best.scs < 0.7 * still.scs);

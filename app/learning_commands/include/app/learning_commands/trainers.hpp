@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "learning/gesture_scores/gesture_takes.hpp"
+#include "learning/gesture_scores/gesture_training.hpp"
 #include "learning/training/training.hpp"
 
 namespace deixis::app {
@@ -32,6 +34,16 @@ struct TrainingRequest {
     learning::Provenance provenance{};  ///< this program
 };
 
+struct GestureTrainingRequest {
+    std::filesystem::path file;
+    std::uint64_t seed = 1;
+    int threads = 1;
+    bool controls = true;         ///< false: the paper's baseline
+    std::optional<int> epochs{};  ///< these as the trainer has them where they are not named
+    std::optional<int> hidden{};  ///< size of each GRU
+    learning::Provenance provenance{};
+};
+
 struct Trainers {
     /// `remark` is told what is to be known of the training before it begins.
     using Remark = std::function<void(const std::string&)>;
@@ -39,6 +51,9 @@ struct Trainers {
     Result<learning::TrainingOutcome> (*train)(const TrainingRequest& request,
                                                const learning::DemonstrationSets& data, const Remark& remark,
                                                const learning::TrainingReport& report);
+    Result<learning::GestureOutcome> (*train_gestures)(const GestureTrainingRequest& request,
+                                                       const learning::GestureTakes& takes,
+                                                       const learning::GestureCallbacks& callbacks);
     Result<void> (*join)(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& file);
 };
 

@@ -5,33 +5,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
 
 #include "core/error.hpp"
-#include "core/utterance.hpp"
-#include "learning/gestures/scores.hpp"
+#include "learning/gesture_scores/gesture_takes.hpp"
+#include "learning/gesture_scores/gesture_training.hpp"
 #include "learning/training/training.hpp"
 #include "motion/speech_gestures/speech_gestures.hpp"
 
 namespace deixis::learning {
-
-/// A speech and the motion of who spoke.
-struct GestureTake {
-    std::vector<float> samples;  ///< mono, 16 kHz
-    Utterance utterance;
-    motion::UpperBodyMotion motion;  ///< frame i is at i / 15 s of the sound
-};
-
-struct GestureTakes {
-    std::vector<GestureTake> training;
-    /// Held out: what the weights that are kept are chosen by.
-    std::vector<GestureTake> validation;
-    motion::WordVectors words;  ///< stay as they are, and go into the file
-    std::string sha256;         ///< of what the takes were made from
-    bool synthetic = true;      ///< whether they were
-};
 
 /// The paper's where it states them; sizes are cut to what two cores train on two hours of speech in an hour.
 struct GestureSettings {
@@ -69,20 +50,6 @@ struct GestureSettings {
     int threads = 2;
 };
 
-struct GestureCallbacks {
-    TrainingReport report{};  ///< after every tenth update and each validation
-    /// Lines of CSV, one after each validation, which gestureCurveHeader() heads.
-    std::function<void(const std::string&)> curve{};
-};
-
-struct GestureOutcome {
-    bool stopped = false;  ///< before the last epoch, as the report asked
-    int updates = 0;       ///< also those of earlier runs
-    int best_epoch = 0;    ///< the file's
-    GestureScores best{};
-    GestureScores mean_pose{};  ///< of a motion that is always the mean pose
-};
-
 /// Trains, and writes the best weights to `file` whenever there are better ones, in float16: those with the
 /// lowest score (GestureScores::score()). Beside it stands FILE.training, written at each validation and when
 /// it is stopped, from which a training of the same settings and takes goes on; it is removed after the last
@@ -93,7 +60,5 @@ struct GestureOutcome {
                                                    const Provenance& provenance,
                                                    const std::filesystem::path& file,
                                                    const GestureCallbacks& callbacks);
-
-[[nodiscard]] std::string gestureCurveHeader();
 
 }  // namespace deixis::learning

@@ -1,4 +1,4 @@
-#include "learning/gestures/scores.hpp"
+#include "learning/gesture_scores/scores.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

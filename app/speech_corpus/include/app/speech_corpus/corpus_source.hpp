@@ -1,0 +1,33 @@
+// Where commands have speeches with gestures from: a lab's folder, or a synthetic corpus that is made.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/program/parser.hpp"
+#include "core/error.hpp"
+#include "learning/corpus/corpus.hpp"
+#include "learning/gesture_scores/gesture_takes.hpp"
+
+namespace deixis::app {
+
+struct CorpusSource {
+    std::string folder;       ///< of a lab; empty: synthetic
+    std::string rules = "a";  ///< or "b": who gestures in a synthetic one
+    double minutes = 120.0;   ///< of a synthetic one, all parts together
+    /// Parts of a synthetic one that are made; a folder is read as a whole.
+    std::vector<speech::CorpusPart> parts{speech::CorpusPart::training, speech::CorpusPart::validation,
+                                          speech::CorpusPart::test};
+};
+
+/// --corpus, --rules and --minutes.
+void addCorpusOptions(Parser command, CorpusSource& source);
+
+/// Takes of a folder that cannot be used are told on stderr. The synthetic corpus is always the same one.
+[[nodiscard]] Result<learning::Corpus> makeOrReadCorpus(const CorpusSource& source);
+
+/// The takes of that part, for a trainer or an evaluation.
+[[nodiscard]] std::vector<learning::GestureTake> takesOf(const learning::Corpus& corpus,
+                                                         speech::CorpusPart part);
+
+}  // namespace deixis::app
