@@ -25,6 +25,7 @@
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "core/number.hpp"
+#include "evaluate_gestures.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/pointing/rays.hpp"
 #include "motion/synthesis/generator.hpp"
@@ -268,8 +269,7 @@ void addEvaluateCommand(Parser cli, Command& chosen) {
          .example = "deixis evaluate clips/mine clips/direct -o evaluation.html --csv tables\ndeixis "
                     "evaluate clips/mine --json",
          .page = "docs/evaluation.md"});
-    command.addOption("MANIFEST", options->manifests, "Manifests of clips, or folders with a manifest.csv")
-        .required();
+    command.addOption("MANIFEST", options->manifests, "Manifests of clips, or folders with a manifest.csv");
     command.addOption(
         "--training", options->training,
         "Manifest or CSV of the targets that the systems were trained on [those of the synthetic "
@@ -292,7 +292,12 @@ void addEvaluateCommand(Parser cli, Command& chosen) {
     addCsv(command, options->tables, "Folder to write every table to, as CSV");
     command.addOption("--threads", options->threads, "Threads that read clips [one per core]")
         .check(Range(1, 1024));
-    command.callback([options, &chosen] {
+#ifdef DEIXIS_STUDIO
+    addEvaluateGesturesCommand(command, chosen);
+#endif
+    command.callback([options, command, &chosen] {
+        if (command.hasChosen()) return;
+        if (options->manifests.empty()) requireUsage("MANIFEST");
         chosen = [options] {
             if (options->page.empty() && options->json != standard_output) options->page = "evaluation.html";
             return evaluateClips(*options);

@@ -163,6 +163,7 @@ void addLearnGesturesCommands(Parser learn, Command& chosen) {
          .example = "deixis learn gestures -o gestures.weights",
          .page = "docs/speech-gestures.md"});
     addCorpusOptions(command, options->source);
+    addCorpusRules(command, options->source);
     options->word_vectors = "build/word_vectors";
     command
         .addOption("--word-vectors", options->word_vectors,
@@ -193,6 +194,7 @@ void addLearnGesturesCommands(Parser learn, Command& chosen) {
                        .example = "deixis learn corpus --minutes 10 -o corpus",
                        .page = "docs/speech-gestures.md"});
     addCorpusOptions(command, corpus->source);
+    addCorpusRules(command, corpus->source);
     addOutput(command, corpus->out, "Folder for the speeches", "DIR");
     addForce(command, corpus->force);
     addCsv(command, corpus->tables, "Folder for the statistics as a table");

@@ -105,6 +105,10 @@ Parser Parser::addCommand(const std::string& name, const std::string& what) cons
     return Parser(*app_->add_subcommand(name, what));
 }
 
+bool Parser::hasChosen() const {
+    return !app_->get_subcommands().empty();
+}
+
 void Parser::requireCommand() const {
     app_->require_subcommand(1);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <thread>
 
@@ -58,12 +59,15 @@ void addCorpusOptions(Parser command, CorpusSource& source) {
             "Folder of a lab's recordings: NAME.wav, NAME.bvh and the transcript NAME.csv, NAME.TextGrid or "
             "NAME.txt [a synthetic corpus is made]")
         .valueName("DIR");
-    command.addOption("--rules", source.rules, "Rule set that gestures in a synthetic corpus")
-        .showDefault()
-        .check(OneOf{{"a", "b"}});
     command.addOption("--minutes", source.minutes, "Of speech in a synthetic corpus")
         .showDefault()
         .check(Range(1.0, 6000.0));
+}
+
+void addCorpusRules(Parser command, CorpusSource& source) {
+    command.addOption("--rules", source.rules, "Rule set that gestures in a synthetic corpus")
+        .showDefault()
+        .check(OneOf{{"a", "b"}});
 }
 
 Result<learning::Corpus> makeOrReadCorpus(const CorpusSource& source) {

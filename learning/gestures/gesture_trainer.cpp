@@ -127,6 +127,16 @@ WindowBatch GestureTrainer::drawn(int number, Random& random) {
     return training_.batch(std::span(order_).subspan(begin, size), random);
 }
 
+void GestureTrainer::setRates(int number) {
+    constexpr double least = 0.05;
+    const double done = double(number) / updates();
+    const double late = std::max(0.0, (done - settings_.decay_from) / (1.0 - settings_.decay_from));
+    const double rate = settings_.learning_rate * (1.0 - (1.0 - least) * late);
+    for (auto* optimiser : {optimiser_.get(), discriminator_optimiser_.get()})
+        for (auto& group : optimiser->param_groups())
+            static_cast<torch::optim::AdamOptions&>(group.options()).lr(rate);
+}
+
 double GestureTrainer::updateDiscriminator(const Tensor& real, const Tensor& made) {
     discriminator_optimiser_->zero_grad();
     const Tensor loss = entropyOf(discriminator_->forward(real), true) +
@@ -156,6 +166,7 @@ GestureLosses GestureTrainer::update(int number) {
             styles = stylesOf(reference);
         }
     }
+    setRates(number);
     model_->train();
     optimiser_->zero_grad();
     const Tensor made = model_->forward(batch.sound, batch.words, controls);
@@ -163,7 +174,10 @@ GestureLosses GestureTrainer::update(int number) {
     GestureLosses out;
     if (adversarial) out.discriminator = updateDiscriminator(batch.poses, made);
 
-    const Tensor huber = torch::smooth_l1_loss(made, reference, at::Reduction::Mean, settings_.huber_limit);
+    Tensor apart = torch::smooth_l1_loss(made, reference, at::Reduction::None, settings_.huber_limit);
+    if (controls.defined())
+        apart = apart * (1.0 + settings_.pose_weight * controls.narrow(-1, motion::control_pose_mask, 1));
+    const Tensor huber = apart.mean();
     const Tensor style = (stylesOf(made) - styles).abs().mean();
     Tensor loss = settings_.huber_weight * huber + settings_.style_weight * style;
     if (adversarial) {
@@ -235,6 +249,8 @@ motion::NetworkWeights GestureTrainer::weights() const {
                     {"epochs", double(s.epochs)},
                     {"batch", double(s.batch)},
                     {"learning_rate", s.learning_rate},
+                    {"decay_from", s.decay_from},
+                    {"pose_weight", s.pose_weight},
                     {"beta", s.beta},
                     {"huber_weight", s.huber_weight},
                     {"huber_limit", s.huber_limit},

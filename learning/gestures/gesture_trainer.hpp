@@ -37,6 +37,7 @@ class GestureTrainer {
     [[nodiscard]] torch::Tensor stylesOf(const torch::Tensor& poses) const;
     [[nodiscard]] WindowBatch drawn(int number, Random& random);
     [[nodiscard]] bool adversarialAt(int number) const;
+    void setRates(int number);
     [[nodiscard]] double updateDiscriminator(const torch::Tensor& real, const torch::Tensor& made);
     /// Relative poses of all held-out windows, with unit directions.
     [[nodiscard]] torch::Tensor generated(GivenControls given);

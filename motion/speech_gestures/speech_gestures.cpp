@@ -155,6 +155,7 @@ Result<SpeechGestureModel> SpeechGestureModel::read(const NetworkWeights& weight
     const auto shape = readShape(weights);
     if (!shape) return tl::unexpected(shape.error());
     SpeechGestureModel out;
+    out.synthetic_ = weights.synthetic;
     Taking take;
     take(out.network_, GestureNetwork::read(weights, *shape));
     take(out.words_, WordVectors::read(weights));

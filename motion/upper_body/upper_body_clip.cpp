@@ -33,6 +33,12 @@ UpperBodyPose measured(const std::vector<Pose>& world) {
     return poseFromJoints(joints);
 }
 
+/// All bones behind the hands, as the reference humanoid stands in its rest pose.
+void stretchFingers(LocalPose& pose) {
+    for (auto bone = indexOf(Bone::leftThumbMetacarpal); bone < bone_count; ++bone)
+        pose.joints[bone].orientation = no_rotation;
+}
+
 }  // namespace
 
 UpperBodyPose upperBodyOf(const LocalPose& pose) {
@@ -52,12 +58,15 @@ Result<UpperBodyMotion> upperBodyOf(const Clip& clip, const HumanoidMap& map) {
     return motion;
 }
 
-Clip avatarClip(const UpperBodyMotion& motion) {
+Clip avatarClip(const UpperBodyMotion& motion, bool relaxed_fingers) {
     Clip clip;
     clip.skeleton = referenceHumanoid();
     clip.frame_time_s = upper_body_frame_time_s;
     clip.frames.reserve(motion.frames.size());
-    for (const UpperBodyPose& pose : motion.frames) clip.frames.push_back(avatarPose(pose));
+    for (const UpperBodyPose& pose : motion.frames) {
+        clip.frames.push_back(avatarPose(pose));
+        if (!relaxed_fingers) stretchFingers(clip.frames.back());
+    }
     return clip;
 }
 

@@ -6,11 +6,13 @@
 
 #include <cmath>
 
+#include "learning/gesture_scores/motion_encoder.hpp"
 #include "learning/gesture_scores/scores.hpp"
 #include "learning/networks/optimising.hpp"
 #include "learning/networks/tensors.hpp"
 #include "motion/speech_gestures/gesture_inputs.hpp"
 #include "motion/upper_body/upper_body_style.hpp"
+#include "motion_autoencoder.hpp"
 #include "network_module.hpp"
 
 using namespace deixis;
@@ -332,5 +334,25 @@ TEST_SUITE("learning/gesture_windows") {
         // 1.4 frames are heard before the first one.
         CHECK(one.sound[0][21 * 1080].item<double>() > 0.9);
         CHECK(one.sound[0].narrow(0, 22 * 1080, 1080).abs().max().item<double>() == 0.0);
+    }
+
+    TEST_CASE("the encoder of motions gives what LibTorch gives") {
+        setUpTorch(1);
+        torch::manual_seed(3);
+        MotionAutoencoder autoencoder;
+        motion::NetworkWeights weights;
+        autoencoder.append(weights.arrays);
+        const auto encoder = MotionEncoder::read(weights).value();
+        const Tensor poses = 0.3 * torch::randn({2, 30, 27});
+        const Eigen::MatrixXd wanted = autoencoder.features(poses);
+        for (int window = 0; window < 2; ++window) {
+            const Eigen::VectorXd found = encoder.encode(matrixOf(poses[window].transpose(0, 1)));
+            CHECK((found - wanted.row(window).transpose()).cwiseAbs().maxCoeff() < 1e-5);
+        }
+        weights.file = "w";
+        weights.arrays.pop_back();
+        const auto refused = MotionEncoder::read(weights);
+        REQUIRE_FALSE(refused.has_value());
+        CHECK(refused.error().text().find("motion.latent.bias") != std::string::npos);
     }
 }

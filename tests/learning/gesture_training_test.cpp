@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/files.hpp"
+#include "learning/gesture_scores/evaluation.hpp"
 #include "learning/gestures/training.hpp"
 #include "motion/upper_body/upper_body_style.hpp"
 #include "small_trainings.hpp"
@@ -172,22 +173,78 @@ TEST_SUITE("learning/gesture_training") {
         CHECK(std::equal(exact.frames.begin(), exact.frames.begin() + 69, posed.frames.begin()));
     }
 
+    TEST_CASE("an evaluation of whole speeches, as the studio makes them") {
+        const Toy& toy = trainedToy();
+        const auto encoder = MotionEncoder::read(toy.weights).value();
+        const auto found = evaluateGestures(toy.model, encoder, toy.takes.validation).value();
+        const auto still = evaluateMeanPose(toy.model, encoder, toy.takes.validation).value();
+        CHECK(found.parts == 4 * 6);  // of 12 s
+        CHECK(found.scores.pcs < 0.6 * still.scores.pcs);
+        CHECK(found.scores.scs < 0.8 * still.scores.scs);
+        CHECK(found.scores.fgd_no_controls < 0.5 * still.scores.fgd_no_controls);
+        CHECK(found.posed_off_deg > 0.0);
+        CHECK(found.exact_off_deg < 0.01);
+        // By hand: what the model does at the posed frames of one take.
+        const std::vector<GestureTake> one{toy.takes.validation[1]};
+        SpeechGestureRequest request = requestOf(one[0]);
+        for (int f = 0; f < 180; ++f)
+            if (f % 30 >= 10 && f % 30 < 15)
+                request.poses.push_back({f, one[0].motion.frames[static_cast<std::size_t>(f)]});
+        const auto made = toy.model.generate(request).value();
+        double sum = 0.0, angles = 0.0;
+        for (const motion::PoseControl& pose : request.poses) {
+            const auto& frame = made.frames[static_cast<std::size_t>(pose.frame)];
+            for (std::size_t n = 0; n < 27; ++n)
+                sum += std::abs(motion::numbersOf(frame)[n] - motion::numbersOf(pose.pose)[n]) / 27.0;
+            for (std::size_t b = 0; b < 9; ++b)
+                angles +=
+                    degreesFromRadians(angleBetween(frame.directions[b], pose.pose.directions[b])) / 9.0;
+        }
+        const auto of_one = evaluateGestures(toy.model, encoder, one).value();
+        CHECK(of_one.scores.pcs == doctest::Approx(sum / 30.0));
+        CHECK(of_one.posed_off_deg == doctest::Approx(angles / 30.0).epsilon(1e-4));
+    }
+
+    TEST_CASE("a recording evaluated against itself is perfect, and takes that are no pair are refused") {
+        const Toy& toy = trainedToy();
+        const auto encoder = MotionEncoder::read(toy.weights).value();
+        std::vector<GestureTake> still = toy.takes.validation;
+        for (GestureTake& take : still)
+            for (auto& pose : take.motion.frames) pose = toy.model.meanPose();
+        const auto found = evaluateMeanPose(toy.model, encoder, still).value();
+        CHECK(found.scores.pcs == 0.0);
+        CHECK(found.scores.scs == 0.0);
+        CHECK(found.posed_off_deg == 0.0);
+        CHECK(found.scores.fgd_no_controls == doctest::Approx(0.0));
+        still[0].motion.frames.pop_back();
+        const auto refused = evaluateGestures(toy.model, encoder, still);
+        REQUIRE_FALSE(refused.has_value());
+        CHECK(refused.error().message.find("found 179 frames of motion, expected 180") != std::string::npos);
+        CHECK_FALSE(evaluateGestures(toy.model, encoder, {}).has_value());
+    }
+
     TEST_CASE("stopped and gone on with it ends as if it had never been stopped") {
         const TrainingFolder folder;
         const auto whole = folder.path / "whole", parts = folder.path / "parts";
-        std::vector<std::string> whole_curve, parts_curve;
-        REQUIRE(trainGestures(shortTakes(), toySettings(4), {}, whole,
-                              {tests::goOn, [&](const std::string& line) { whole_curve.push_back(line); }})
-                    .has_value());
+        using Line = std::vector<double>;  // what an epoch gave
+        std::vector<Line> whole_curve, parts_curve;
+        const auto lineOf = [](const GestureEpoch& one) {
+            return Line{double(one.epoch), one.losses.huber, one.scores.pcs, one.scores.scs,
+                        one.scores.fgd_style_controls};
+        };
+        REQUIRE(
+            trainGestures(shortTakes(), toySettings(4), {}, whole,
+                          {tests::goOn, [&](const GestureEpoch& one) { whole_curve.push_back(lineOf(one)); }})
+                .has_value());
         const GestureCallbacks stopping{[](const TrainingProgress& progress) { return progress.done < 0.5; },
-                                        [&](const std::string& line) { parts_curve.push_back(line); }};
+                                        [&](const GestureEpoch& one) { parts_curve.push_back(lineOf(one)); }};
         const auto first = trainGestures(shortTakes(), toySettings(4), {}, parts, stopping);
         REQUIRE(first.has_value());
         CHECK(first->stopped);
         CHECK(SpeechGestureModel::load(parts).has_value());
-        const auto second =
-            trainGestures(shortTakes(), toySettings(4), {}, parts,
-                          {tests::goOn, [&](const std::string& line) { parts_curve.push_back(line); }});
+        const auto second = trainGestures(
+            shortTakes(), toySettings(4), {}, parts,
+            {tests::goOn, [&](const GestureEpoch& one) { parts_curve.push_back(lineOf(one)); }});
         REQUIRE(second.has_value());
         CHECK_FALSE(second->stopped);
         CHECK(parts_curve == whole_curve);
@@ -230,11 +287,12 @@ TEST_SUITE("learning/gesture_training") {
         const auto file = folder.path / "w";
         GestureSettings settings = toySettings(2);
         settings.shape.controls = false;
-        std::string line;
+        GestureEpoch last;
         const auto outcome = trainGestures(shortTakes(), settings, {}, file,
-                                           {{}, [&line](const std::string& one) { line = one; }});
+                                           {{}, [&last](const GestureEpoch& one) { last = one; }});
         REQUIRE(outcome.has_value());
-        CHECK(line.find(",,,,,") != std::string::npos);
+        CHECK(last.epoch == 2);
+        CHECK_FALSE(last.scores.controls);
         const auto model = SpeechGestureModel::load(file).value();
         SpeechGestureRequest request = requestOf(shortTakes().validation.front());
         CHECK(model.generate(request).value().frames.size() == 120);

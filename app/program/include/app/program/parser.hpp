@@ -73,6 +73,8 @@ class Parser {
 
     /// A command below this one.
     [[nodiscard]] Parser addCommand(const std::string& name, const std::string& what) const;
+    /// Whether the command line named a command below this one; known when the command runs.
+    [[nodiscard]] bool hasChosen() const;
     /// One of the commands below must be named.
     void requireCommand() const;
     /// Takes all words that follow, whatever they are.

@@ -20,8 +20,10 @@ struct CorpusSource {
                                           speech::CorpusPart::test};
 };
 
-/// --corpus, --rules and --minutes.
+/// --corpus and --minutes.
 void addCorpusOptions(Parser command, CorpusSource& source);
+/// --rules.
+void addCorpusRules(Parser command, CorpusSource& source);
 
 /// Takes of a folder that cannot be used are told on stderr. The synthetic corpus is always the same one.
 [[nodiscard]] Result<learning::Corpus> makeOrReadCorpus(const CorpusSource& source);

@@ -72,6 +72,8 @@ class SpeechGestureModel {
     [[nodiscard]] const StyleNorm& styleNorm() const { return style_norm_; }
     [[nodiscard]] bool takesControls() const { return network_.shape().controls; }
     [[nodiscard]] const WordVectors& words() const { return words_; }
+    /// Whether it was trained on gestures that nobody made.
+    [[nodiscard]] bool synthetic() const { return synthetic_; }
 
   private:
     GestureNetwork network_;
@@ -79,6 +81,7 @@ class SpeechGestureModel {
     UpperBodyPose mean_pose_;
     VectorXf mean_;  ///< its 27 numbers
     StyleNorm style_norm_;
+    bool synthetic_ = true;
 };
 
 /// The settings and arrays that SpeechGestureModel::read() takes beside the network's.

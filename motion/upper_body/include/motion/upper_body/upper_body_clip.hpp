@@ -23,7 +23,7 @@ namespace deixis::motion {
 /// other frames.
 [[nodiscard]] LocalPose avatarPose(const UpperBodyPose& pose);
 /// The same for each frame, on referenceHumanoid(), at 15 frames a second; retarget() takes it to other
-/// avatars. At least one frame is needed.
-[[nodiscard]] Clip avatarClip(const UpperBodyMotion& motion);
+/// avatars. At least one frame is needed. Without `relaxed_fingers` they are stretched.
+[[nodiscard]] Clip avatarClip(const UpperBodyMotion& motion, bool relaxed_fingers = true);
 
 }  // namespace deixis::motion
