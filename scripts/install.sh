@@ -13,7 +13,7 @@ packages=(
     libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libkainjow-mustache-dev
     libsqlitecpp-dev libsqlite3-dev libpqxx-dev libpq-dev libboost-dev libboost-math-dev libeigen3-dev
     libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev libx11-dev
-    flite1-dev libpocketsphinx-dev libsphinxbase-dev pocketsphinx-en-us libcpp-httplib-dev
+    flite1-dev libpocketsphinx-dev libsphinxbase-dev pocketsphinx-en-us libcpp-httplib-dev libbrotli-dev libespeak-ng-dev espeak-ng-data
     libopenxr-dev libmujoco-dev libopenal-dev fonts-open-sans fonts-nanum doctest-dev libxml2-dev
 )
 case ${1:-} in

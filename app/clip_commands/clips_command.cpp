@@ -23,6 +23,7 @@ void addClipsCommand(Parser cli, Command& chosen) {
     addClipsTrimCommand(clips, chosen);
     addClipsResampleCommand(clips, chosen);
     addClipsSegmentCommand(clips, chosen);
+    addClipsAuthorCommand(clips, chosen);
 }
 
 }  // namespace deixis::app

@@ -17,5 +17,6 @@ void addClipsMirrorCommand(Parser clips, Command& chosen);
 void addClipsTrimCommand(Parser clips, Command& chosen);
 void addClipsResampleCommand(Parser clips, Command& chosen);
 void addClipsSegmentCommand(Parser clips, Command& chosen);
+void addClipsAuthorCommand(Parser clips, Command& chosen);
 
 }  // namespace deixis::app

@@ -22,6 +22,7 @@ struct ServeArguments {
     std::string certificate;
     std::string key;
     bool behind_proxy = false;
+    StudioOptions studio{};
 };
 
 /// By the server's member.
@@ -52,10 +53,12 @@ server::ServerSettings settingsOf(const ServeArguments& options) {
 void addServeCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ServeArguments>();
     Parser command = cli.addCommand("serve", "Serve the studio's routes to programs and browsers");
-    describe(command,
-             {.writes = "the address with its token to standard output when it listens. Ctrl-C ends it.",
-              .example = "deixis serve --port 8765\ndeixis serve --port 0 --token my-own-token",
-              .page = "docs/studio.md"});
+    describe(
+        command,
+        {.writes = "the address with its token to standard output when it listens, and what is added to DIR. "
+                   "Ctrl-C ends it.",
+         .example = "deixis serve --port 8765\ndeixis serve --port 0 --token my-own-token",
+         .page = "docs/studio.md"});
     command.addOption("--port", options->port, "Port to listen on; 0: a free one")
         .check(Range(0, 65535))
         .showDefault();
@@ -75,8 +78,10 @@ void addServeCommand(Parser cli, Command& chosen) {
             .valueName("FILE");
     command.addOption("--key", options->key, "Its key (PEM)").valueName("FILE").needs(certificate);
     command.addFlag("--behind-proxy", options->behind_proxy, "A proxy that speaks TLS stands before it");
-    command.callback(
-        [options, &chosen] { chosen = [settings = settingsOf(*options)] { return serve(settings, {}); }; });
+    addStudioOptions(command, options->studio);
+    command.callback([options, &chosen] {
+        chosen = [options, settings = settingsOf(*options)] { return serve(settings, options->studio, {}); };
+    });
 }
 
 }  // namespace deixis::app

@@ -25,7 +25,7 @@ std::string versionNumber() {
     return version.substr(from, version.find(' ', from) - from);
 }
 
-Result<server::StudioParts> studioParts() {
+Result<server::StudioParts> studioParts(const StudioOptions& options) {
     auto library = assets::loadUnitGestures(assets::dataFile("unit_gestures.toml"));
     if (!library) return tl::unexpected(library.error());
     server::StudioParts parts;
@@ -33,6 +33,15 @@ Result<server::StudioParts> studioParts() {
     for (const auto& [name, value] : buildProperties())
         if (name == "commit") parts.commit = value;
     parts.library = std::move(*library);
+    auto model = gestureModel(options);
+    if (!model) return tl::unexpected(model.error());
+    parts.model = std::move(*model);  // without it gestures are by rules
+    auto voices = studioVoices(options);
+    if (!voices) return tl::unexpected(voices.error());
+    parts.voices = std::move(*voices);
+    auto folder = openFolder(options);
+    if (!folder) return tl::unexpected(folder.error());
+    parts.folder = std::move(*folder);
     return parts;
 }
 
@@ -47,10 +56,16 @@ bool addPage(server::ServerSettings& settings) {
     return true;
 }
 
-Result<void> serve(const server::ServerSettings& settings,
+Result<void> serve(server::ServerSettings settings, const StudioOptions& options,
                    const std::function<void(const std::string& address)>& listening) {
-    auto parts = studioParts();
+    auto parts = studioParts(options);
     if (!parts) return tl::unexpected(parts.error());
+    auto avatar = studioAvatar(options);
+    if (!avatar) return tl::unexpected(avatar.error());
+    if (*avatar) {
+        settings.page_contents["/avatar.glb"] = std::move((*avatar)->glb);
+        parts->avatar = std::move((*avatar)->drawn);
+    }
     const Interruption interruption;
     const auto server = server::HttpServer::start(settings, server::studioRoutes(std::move(*parts)));
     if (!server) return tl::unexpected(server.error());

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "server/http/http_server.hpp"
+#include "studio_options.hpp"
 
 namespace deixis::app {
 
@@ -16,7 +17,7 @@ bool addPage(server::ServerSettings& settings);
 
 /// Listens, prints the address with its token, and answers until Ctrl-C or SIGTERM; what runs then is
 /// finished. `listening`, where there is one, is told the address.
-[[nodiscard]] Result<void> serve(const server::ServerSettings& settings,
+[[nodiscard]] Result<void> serve(server::ServerSettings settings, const StudioOptions& options,
                                  const std::function<void(const std::string& address)>& listening);
 
 }  // namespace deixis::app

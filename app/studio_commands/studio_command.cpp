@@ -18,6 +18,7 @@ namespace {
 struct StudioArguments {
     int port = usual_port;
     bool no_browser = false;
+    StudioOptions studio{};
 };
 
 /// As the desktop does it; where that cannot be, the person does.
@@ -38,7 +39,7 @@ Result<void> studio(const StudioArguments& options) {
     if (!addPage(settings))
         return fail("studio", "this build has no page",
                     "Build it where npm can fetch what the page is made of (docs/studio.md)");
-    return serve(settings, options.no_browser ? nullptr : openInBrowser);
+    return serve(settings, options.studio, options.no_browser ? nullptr : openInBrowser);
 }
 
 }  // namespace
@@ -49,8 +50,9 @@ void addStudioCommand(Parser cli, Command& chosen) {
         cli.addCommand("studio", "Open the studio in the browser: gestures to speech, made by hand and rule");
     describe(
         command,
-        {.writes = "the studio's address to standard output; the page keeps its work in the browser, and "
-                   "downloads files. Ctrl-C ends it.",
+        {.writes =
+             "the studio's address to standard output; the page keeps its work in the browser and in DIR, "
+             "and downloads files. Ctrl-C ends it.",
          .example = "deixis studio",
          .page = "docs/studio.md"});
     command
@@ -59,6 +61,7 @@ void addStudioCommand(Parser cli, Command& chosen) {
         .check(Range(0, 65535))
         .showDefault();
     command.addFlag("--no-browser", options->no_browser, "Open none; print the address alone");
+    addStudioOptions(command, options->studio);
     command.callback([options, &chosen] { chosen = [options] { return studio(*options); }; });
 }
 

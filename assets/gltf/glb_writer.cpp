@@ -46,9 +46,21 @@ std::size_t GlbWriter::add(const std::vector<std::uint8_t>& values, std::size_t 
     return add(values, 5121, count, type, target);
 }
 
+std::size_t GlbWriter::add(const std::vector<std::uint16_t>& values, std::size_t count, std::string_view type,
+                           int target) {
+    return add(values, 5123, count, type, target);
+}
+
 std::size_t GlbWriter::add(const std::vector<std::uint32_t>& values, std::size_t count, std::string_view type,
                            int target) {
     return add(values, 5125, count, type, target);
+}
+
+std::size_t GlbWriter::addBytes(std::string_view bytes) {
+    views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}});
+    bytes_ += bytes;
+    pad(bytes_, '\0');
+    return views_.size() - 1;
 }
 
 void GlbWriter::setBounds(std::size_t accessor, GltfJson min, GltfJson max) {

@@ -6,8 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <system_error>
+#include <utility>
 
 #include "assets/gltf/gltf_rejection.hpp"
+#include "core/base64.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
 
@@ -22,13 +24,6 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
     return value;
-}
-
-int base64Digit(char c) {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
 int hexDigit(char c) {
@@ -116,22 +111,9 @@ std::string decodeDataUri(std::string_view uri, const std::string& where) {
     if (comma == std::string_view::npos || uri.substr(0, comma).size() < base64.size() ||
         uri.substr(comma - base64.size(), base64.size()) != base64)
         reject(where, "is a data URI without \";base64,\"");
-    std::string_view digits = uri.substr(comma + 1);
-    while (!digits.empty() && digits.back() == '=') digits.remove_suffix(1);
-    std::string bytes;
-    bytes.reserve(digits.size() / 4 * 3 + 3);
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : digits) {
-        const int digit = base64Digit(c);
-        if (digit < 0) reject(where, "contains a character that is not a base64 digit");
-        bits = bits << 6 | static_cast<std::uint32_t>(digit);
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 0xFF);
-    }
-    return bytes;
+    auto bytes = decodeBase64(uri.substr(comma + 1));
+    if (!bytes) reject(where, "contains a character that is not a base64 digit");
+    return std::move(*bytes);
 }
 
 std::string neighbourPath(std::string_view uri, const std::string& where) {

@@ -70,4 +70,13 @@ Clip avatarClip(const UpperBodyMotion& motion, bool relaxed_fingers) {
     return clip;
 }
 
+Clip heldFor(const Clip& clip, double duration_s) {
+    constexpr double tiny_s = 1e-9;
+    Clip out = clip;
+    while (out.duration_s() < duration_s - tiny_s) out.frames.push_back(out.frames.back());
+    while (out.frameCount() > 1 && out.duration_s() - out.frame_time_s >= duration_s - tiny_s)
+        out.frames.pop_back();
+    return out;
+}
+
 }  // namespace deixis::motion

@@ -1,4 +1,5 @@
 // Gestures to a speech.
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -13,14 +14,14 @@ namespace deixis::server {
 
 namespace {
 
-constexpr const char* rules_system = "rules";
 constexpr double largest_seed = 9007199254740991.0;  // of JavaScript
 
 std::vector<ShapeField> generatedFields() {
     auto fields = speechFields();
     fields.push_back(mustField("system", textShape("Which made it", 1)));
-    fields.push_back(
-        mustField("synthetic", booleanShape("Gestures are by rules, or by what was trained on them")));
+    fields.push_back(mustField(
+        "synthetic",
+        booleanShape("The system works by rules, or was trained on gestures that were made by rules")));
     fields.push_back(mustField("fps", integerShape("Frames a second", 15, 15)));
     fields.push_back(mustField("frames", framesShape()));
     fields.push_back(mustField("tracks", tracksShape()));
@@ -35,26 +36,24 @@ Answer generated(StudioWork& work, const nlohmann::json& asked) {
                                                     : work.speak(asked["text"], asked["voice"]);
     if (!speech) return tl::unexpected(speech.error());
     const Utterance& utterance = (*speech)->spoken.utterance;
-    auto made = gesturesTo(**speech, work.parts().library, asked);
+    auto made = gesturesTo(**speech, work.parts(), asked);
     if (!made) return tl::unexpected(made.error());
-    const motion::Clip clip = motion::avatarClip(made->motion);
+    const motion::Clip clip = motion::avatarClip(made->motion, asked["relaxed_fingers"]);
     nlohmann::json out = speechJson(**speech);
     out["system"] = asked["system"];
-    out["synthetic"] = true;
+    const auto systems = gestureSystems(work.parts());
+    out["synthetic"] =
+        std::ranges::find(systems, asked["system"].get<std::string>(), &GestureSystem::name)->synthetic;
     out["fps"] = static_cast<int>(motion::upper_body_fps);
     out["frames"] = std::move(made->frames);
-    out["tracks"] = tracksJson(clip);
+    out["tracks"] = work.tracks(clip);
     const std::string format = asked["format"];
-    if (format == "bvh") out["bvh"] = assets::writeBvh(clipAsLongAs(clip, utterance.duration_s));
-    if (format == "csv") out["csv"] = assets::writeJointCsv(clipAsLongAs(clip, utterance.duration_s));
+    if (format == "bvh") out["bvh"] = assets::writeBvh(motion::heldFor(clip, utterance.duration_s));
+    if (format == "csv") out["csv"] = assets::writeJointCsv(motion::heldFor(clip, utterance.duration_s));
     return jsonReply(out);
 }
 
 }  // namespace
-
-std::vector<std::string> gestureSystems() {
-    return {rules_system};
-}
 
 Route generateRoute(const std::shared_ptr<StudioWork>& work) {
     Route route;
@@ -65,12 +64,15 @@ Route generateRoute(const std::shared_ptr<StudioWork>& work) {
         "Gestures to a text, which is spoken first, or to a speech that the server keeps. The same request "
         "gives the same "
         "motion.";
+    std::vector<std::string> systems;
+    for (const GestureSystem& one : gestureSystems(work->parts())) systems.push_back(one.name);
     Shape body = objectShape(
         "", {textField(false), mayField("speech_id", textShape("Of a speech that the server keeps", 1, 64)),
              voiceField(*work), mayField("seed", integerShape("Of random choices", 0, largest_seed), 1),
              mayField("format",
                       choiceShape("What comes beside frames; json: nothing", {"bvh", "json", "csv"}), "bvh"),
-             mayField("system", choiceShape("Which makes the gestures", gestureSystems()), rules_system)});
+             mayField("system", choiceShape("Which makes the gestures", systems), systems.front())});
+    body.fields.push_back(relaxedFingersField());
     for (ShapeField& field : controlFields()) body.fields.push_back(std::move(field));
     body.exactly_one = {"text", "speech_id"};
     route.body = std::move(body);

@@ -9,8 +9,12 @@
 
 namespace deixis::server {
 
-/// Fields of a request: poses at some frames, style, and a motion of which only a range is made anew.
+/// Fields of a request: poses at some frames, style, a motion of which only a range is made anew, and how the
+/// motion is finished.
 [[nodiscard]] std::vector<ShapeField> controlFields();
+
+/// How hands look where a motion becomes the avatar's.
+[[nodiscard]] ShapeField relaxedFingersField();
 
 struct MadeGestures {
     motion::UpperBodyMotion motion;
@@ -20,7 +24,20 @@ struct MadeGestures {
 /// Of a body that has the shape of those fields, and `seed`. Refuses controls that do not fit the speech, and
 /// those that the system does not take.
 [[nodiscard]] tl::expected<MadeGestures, Refusal> gesturesTo(const KeptSpeech& speech,
-                                                             const motion::GestureLibrary& library,
+                                                             const StudioParts& parts,
                                                              const nlohmann::json& asked);
+
+/// What gestures can be made by, and which of the fields that not all take it takes. The first is taken where
+/// none is named: the trained model, where there is one.
+struct GestureSystem {
+    std::string name;
+    bool synthetic = true;  ///< by rules, or by what was trained on them
+    std::vector<std::string> takes;
+};
+[[nodiscard]] std::vector<GestureSystem> gestureSystems(const StudioParts& parts);
+
+/// Where a motion begins and ends by itself: the mean pose of the model's training motions; without a model
+/// the body at ease.
+[[nodiscard]] motion::UpperBodyPose restPose(const StudioParts& parts);
 
 }  // namespace deixis::server

@@ -31,11 +31,13 @@ std::size_t KeptSpeech::bytes() const {
            spoken.utterance.accents.size() * sizeof(Accent);
 }
 
-std::shared_ptr<const KeptSpeech> keptSpeech(speech::SpokenText spoken, std::string asked) {
+std::shared_ptr<const KeptSpeech> keptSpeech(speech::SpokenText spoken, std::string asked,
+                                             std::string language) {
     auto out = std::make_shared<KeptSpeech>();
     out->wav = speech::wavBytes(spoken.sound);
     out->id = sha256Hex(wordsText(spoken.utterance) + out->wav).substr(0, id_letters);
     out->asked = std::move(asked);
+    out->language = std::move(language);
     out->spoken = std::move(spoken);
     return out;
 }

@@ -12,16 +12,18 @@
 namespace deixis::server {
 
 struct KeptSpeech {
-    std::string id;     ///< of its content: the same sound with the same words has the same id
-    std::string asked;  ///< what it was made from, in any form; empty: a recording
+    std::string id;              ///< of its content: the same sound with the same words has the same id
+    std::string asked;           ///< what it was made from, in any form; empty: a recording
+    std::string language{"en"};  ///< BCP 47
     speech::SpokenText spoken;
     std::string wav;  ///< the sound as a file
 
     [[nodiscard]] std::size_t bytes() const;
 };
 
-/// `asked` as in KeptSpeech.
-[[nodiscard]] std::shared_ptr<const KeptSpeech> keptSpeech(speech::SpokenText spoken, std::string asked);
+/// `asked` and `language` as in KeptSpeech.
+[[nodiscard]] std::shared_ptr<const KeptSpeech> keptSpeech(speech::SpokenText spoken, std::string asked,
+                                                           std::string language = "en");
 
 /// Of several threads. Above `most_bytes` the ones that were used least recently are forgotten, but never the
 /// newest.

@@ -91,13 +91,4 @@ json tracksJson(const motion::Clip& clip) {
             {"rotations", std::move(rotations)}};
 }
 
-motion::Clip clipAsLongAs(const motion::Clip& clip, double duration_s) {
-    constexpr double tiny_s = 1e-9;
-    motion::Clip out = clip;
-    while (out.duration_s() < duration_s - tiny_s) out.frames.push_back(out.frames.back());
-    while (out.frameCount() > 1 && out.duration_s() - out.frame_time_s >= duration_s - tiny_s)
-        out.frames.pop_back();
-    return out;
-}
-
 }  // namespace deixis::server

@@ -30,10 +30,6 @@ inline constexpr std::size_t largest_motion_bytes = std::size_t{32} << 20U;
 /// The bones that are turned in any frame; rounded to 6 decimals. Of a clip on referenceHumanoid().
 [[nodiscard]] nlohmann::json tracksJson(const motion::Clip& clip);
 
-/// Deixis's own avatar, as long as the sound: the last frame is held to the first multiple of a frame's time
-/// that is not before the end, which in a file that knows whole frames only is its last one's time.
-[[nodiscard]] motion::Clip clipAsLongAs(const motion::Clip& clip, double duration_s);
-
 [[nodiscard]] double rounded(double value, double steps);
 
 }  // namespace deixis::server

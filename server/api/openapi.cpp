@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json pathParameters(const Route& route) {
+ordered_json parametersOf(const Route& route) {
     auto out = ordered_json::array();
     for (const auto& [name, about] : route.path_parts)
         out.push_back({{"name", name},
@@ -16,6 +16,13 @@ ordered_json pathParameters(const Route& route) {
                        {"required", true},
                        {"description", about},
                        {"schema", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]{1,64}$"}}}});
+    if (route.takes_revision)
+        out.push_back(
+            {{"name", "If-Match"},
+             {"in", "header"},
+             {"required", false},
+             {"description", "The revision that is changed, in double quotes, or *: another one is 412"},
+             {"schema", {{"type", "string"}}}});
     return out;
 }
 
@@ -46,6 +53,7 @@ ordered_json answers(const Route& route) {
     for (const Outcome& outcome : route.outcomes) {
         ordered_json& answer = out[std::to_string(outcome.status)];
         answer["description"] = outcome.about;
+        if (outcome.content_type.empty()) continue;
         answer["content"][outcome.content_type] = ordered_json::object();
         if (outcome.shape) answer["content"][outcome.content_type]["schema"] = schemaOf(*outcome.shape);
     }
@@ -55,7 +63,7 @@ ordered_json answers(const Route& route) {
 
 ordered_json operation(const Route& route) {
     ordered_json out{{"operationId", route.name}, {"description", route.about}};
-    if (!route.path_parts.empty()) out["parameters"] = pathParameters(route);
+    if (auto parameters = parametersOf(route); !parameters.empty()) out["parameters"] = std::move(parameters);
     if (route.body || !route.form.empty()) out["requestBody"] = requestBody(route);
     out["responses"] = answers(route);
     return out;

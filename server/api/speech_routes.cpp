@@ -40,7 +40,8 @@ Route speakRoute(const std::shared_ptr<StudioWork>& work) {
     route.path = "/v1/speech";
     route.name = "speak";
     route.about =
-        "An English text spoken by a voice; or a recording (WAV) with its English text, which is then found "
+        "A text spoken by a voice of its language; or a recording (WAV) with its English text, which is then "
+        "found "
         "in it.";
     route.body = objectShape("", {textField(true), voiceField(*work)});
     route.form = {{"text", textField(true).shape},
@@ -83,8 +84,9 @@ Route soundRoute(const std::shared_ptr<StudioWork>& work) {
 }  // namespace
 
 ShapeField textField(bool required) {
-    ShapeField field = mustField(
-        "text", textShape("What is said, in English: at most 4000 words", 1, speech::max_text_bytes));
+    ShapeField field =
+        mustField("text", textShape("What is said, in the voice's language: in English at most 4000 words", 1,
+                                    speech::max_text_bytes));
     field.required = required;
     return field;
 }
@@ -108,6 +110,10 @@ std::vector<ShapeField> speechFields() {
                                        mustField("strength", numberShape("", 0.0, 1.0)),
                                        mustField("word", integerShape("Index of its word", 0, 1e6))}))),
         mustField("duration_s", timeShape("Of the sound")),
+        mustField("language", textShape("BCP 47", 1)),
+        mustField("words_understood",
+                  booleanShape("Whether gestures go by the words; else by the sound alone: the "
+                               "language is not English")),
         mustField("sound", textShape("Where the sound is: /v1/speech/ID.wav"))};
 }
 
@@ -127,6 +133,8 @@ json speechJson(const KeptSpeech& speech) {
             {"words", std::move(words)},
             {"accents", std::move(accents)},
             {"duration_s", rounded(utterance.duration_s, 1e9)},
+            {"language", speech.language},
+            {"words_understood", speech::isEnglish(speech.language)},
             {"sound", "/v1/speech/" + speech.id + ".wav"}};
 }
 

@@ -8,32 +8,6 @@
 
 namespace deixis::server {
 
-Route healthRoute(const std::shared_ptr<StudioWork>& work) {
-    Route route;
-    route.method = "GET";
-    route.path = "/v1/health";
-    route.name = "health";
-    route.about = "That the server runs, and what it can do.";
-    const Shape names = listShape("The first is taken where none is named", textShape("", 1));
-    route.outcomes = {
-        {200, "It runs", "application/json",
-         objectShape(
-             "", {mustField("status", choiceShape("", {"ok"})),
-                  mustField("version", textShape("Of the program", 1)),
-                  mustField("commit", textShape("Of the program's sources", 1)), mustField("systems", names),
-                  mustField("voices", names),
-                  mustField("synthetic",
-                            booleanShape("Gestures are by rules, or by what was trained on them"))})}};
-    const Reply reply = jsonReply(nlohmann::ordered_json{{"status", "ok"},
-                                                         {"version", work->parts().version},
-                                                         {"commit", work->parts().commit},
-                                                         {"systems", gestureSystems()},
-                                                         {"voices", work->parts().voices.names()},
-                                                         {"synthetic", true}});
-    route.run = [reply](const Call&) -> Answer { return reply; };
-    return route;
-}
-
 namespace {
 
 /// Last, since it describes all of them and itself.
@@ -62,7 +36,10 @@ std::vector<Route> studioRoutes(StudioParts parts) {
     routes.push_back(generateRoute(work));
     append(routes, speechRoutes(work));
     append(routes, libraryRoutes(work));
-    append(routes, clipRoutes());
+    append(routes, ruleRoutes(work));
+    append(routes, projectRoutes(work));
+    append(routes, clipRoutes(work));
+    routes.push_back(pointRoute(work));
     addDocument(routes, version);
     return routes;
 }

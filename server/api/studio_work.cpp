@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <utility>
 
+#include "core/text.hpp"
+#include "motion/retarget/retarget.hpp"
+#include "motion_json.hpp"
 #include "speech/sound/wav.hpp"
 
 namespace deixis::server {
@@ -16,9 +20,42 @@ tl::unexpected<Refusal> refused(const Error& error, const char* field) {
     return tl::unexpected(std::move(refusal));
 }
 
+/// Of a program that is a voice: the request was right.
+tl::unexpected<Refusal> voiceFailed(const Error& error) {
+    constexpr int bad_gateway = 502;
+    return tl::unexpected(Refusal{bad_gateway, storable(error.text()), "voice"});
+}
+
 }  // namespace
 
 StudioWork::StudioWork(StudioParts parts) : parts_(std::move(parts)), speeches_(parts_.kept_speech_bytes) {}
+
+OwnMotions StudioWork::ownMotions() const {
+    return folder() != nullptr ? server::ownMotions(*folder()) : OwnMotions{};
+}
+
+std::vector<std::string> StudioWork::motionIds() const {
+    std::vector<std::string> out;
+    for (const motion::UnitGesture& one : parts_.library) out.push_back(one.id);
+    if (folder() != nullptr)
+        for (std::string& id : ownMotionIds(*folder())) out.push_back(std::move(id));
+    return out;
+}
+
+OwnRules StudioWork::ownRules() const {
+    return folder() != nullptr ? server::ownRules(*folder(), motionIds()) : noRules();
+}
+
+nlohmann::json StudioWork::tracks(const motion::Clip& clip) const {
+    if (!parts_.avatar) return tracksJson(clip);
+    motion::RetargetOptions options;
+    options.plant_feet = false;
+    const auto drawn = motion::retarget(clip, motion::mapByVrmNames(clip.skeleton), parts_.avatar->skeleton,
+                                        parts_.avatar->humanoid, options);
+    if (!drawn)
+        throw std::logic_error("an avatar that was checked cannot take a motion: " + drawn.error().text());
+    return tracksJson(*drawn);
+}
 
 tl::expected<speech::Aligner*, Refusal> StudioWork::aligner() {
     const std::lock_guard lock(aligner_mutex_);
@@ -34,14 +71,16 @@ StudioWork::Speech StudioWork::speak(const std::string& text, const std::string&
     const std::string asked = voice + "\n" + text;
     if (auto kept = speeches_.findAsked(asked)) return kept;
     speech::Aligner* listener = nullptr;
-    if (parts_.voices.program(voice) != nullptr) {
+    const speech::VoiceProgram* const program = parts_.voices.program(voice);
+    if (program != nullptr && speech::isEnglish(program->language) && !program->tells_words) {
         const auto loaded = aligner();
         if (!loaded) return tl::unexpected(loaded.error());
         listener = *loaded;
     }
     auto spoken = speech::spokenText(parts_.voices, listener, text, voice);
-    if (!spoken) return refused(spoken.error(), spoken.error().where.starts_with("text") ? "text" : "voice");
-    auto kept = keptSpeech(std::move(*spoken), asked);
+    if (!spoken && spoken.error().where.starts_with("text")) return refused(spoken.error(), "text");
+    if (!spoken) return voiceFailed(spoken.error());
+    auto kept = keptSpeech(std::move(*spoken), asked, parts_.voices.language(voice));
     speeches_.keep(kept);
     return kept;
 }

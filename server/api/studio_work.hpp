@@ -9,6 +9,9 @@
 #include <vector>
 
 #include "kept_speeches.hpp"
+#include "motion/skeleton/clip.hpp"
+#include "own_motions.hpp"
+#include "own_rules.hpp"
 #include "server/api/studio_api.hpp"
 #include "speech/alignment/aligner.hpp"
 
@@ -19,6 +22,17 @@ class StudioWork {
     explicit StudioWork(StudioParts parts);
 
     [[nodiscard]] const StudioParts& parts() const { return parts_; }
+
+    /// Null where nothing is kept on the disk.
+    [[nodiscard]] const KeptFolder* folder() const { return parts_.folder ? &*parts_.folder : nullptr; }
+    /// What people added, as the disk has it now; none without a folder.
+    [[nodiscard]] OwnMotions ownMotions() const;
+    [[nodiscard]] OwnRules ownRules() const;
+    /// Of all motions: those that ship, and those that were added.
+    [[nodiscard]] std::vector<std::string> motionIds() const;
+
+    /// tracksJson() on the avatar that is drawn. Of a clip on referenceHumanoid().
+    [[nodiscard]] nlohmann::json tracks(const motion::Clip& clip) const;
 
     using Speech = tl::expected<std::shared_ptr<const KeptSpeech>, Refusal>;
     /// Spoken by that voice, or the one that is kept.
@@ -42,10 +56,10 @@ class StudioWork {
 [[nodiscard]] std::vector<Route> speechRoutes(const std::shared_ptr<StudioWork>& work);
 [[nodiscard]] Route generateRoute(const std::shared_ptr<StudioWork>& work);
 [[nodiscard]] std::vector<Route> libraryRoutes(const std::shared_ptr<StudioWork>& work);
-[[nodiscard]] std::vector<Route> clipRoutes();
-
-/// What gestures can be made by.
-[[nodiscard]] std::vector<std::string> gestureSystems();
+[[nodiscard]] std::vector<Route> ruleRoutes(const std::shared_ptr<StudioWork>& work);
+[[nodiscard]] std::vector<Route> projectRoutes(const std::shared_ptr<StudioWork>& work);
+[[nodiscard]] Route pointRoute(const std::shared_ptr<StudioWork>& work);
+[[nodiscard]] std::vector<Route> clipRoutes(const std::shared_ptr<StudioWork>& work);
 
 /// Parts that several routes take or answer.
 [[nodiscard]] ShapeField textField(bool required);

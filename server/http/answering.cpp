@@ -99,6 +99,14 @@ Refusal refusalOfStatus(int status) {
     }
 }
 
+/// `"abc"`, `W/"abc"` or `abc`.
+std::string revisionOf(std::string_view header) {
+    std::string_view tag = trimmed(header);
+    if (tag.starts_with("W/")) tag.remove_prefix(2);
+    if (tag.size() >= 2 && tag.starts_with('"') && tag.ends_with('"')) tag = tag.substr(1, tag.size() - 2);
+    return std::string(tag);
+}
+
 Result<nlohmann::json> jsonBody(const Shape& shape, const std::string& text) {
     auto body = parseJsonText(text);
     if (!body) return body;
@@ -164,6 +172,7 @@ Answering::Answering(const Admission& admission, const ServerLimits& limits,
     };
     constexpr const char* anything = R"([\s\S]*)";
     Post(anything, with_body);
+    Put(anything, with_body);
     Delete(anything, with_body);
 }
 
@@ -176,8 +185,8 @@ bool Answering::answer(Connection& connection, bool last) {
         verdict_ = admission_.judge(request);
         judged = true;
         stream.expectBody(verdict_.body_bytes);
-        // Compressing takes longer than sending to this machine, brotli as the library asks for it seconds a
-        // megabyte.
+        accepted_ = acceptedCodings(request.get_header_value("Accept-Encoding"));
+        // Else the library compresses, with Brotli seconds a megabyte.
         request.headers.erase("Accept-Encoding");
         const bool in_parts = !verdict_.refusal && verdict_.route != nullptr && verdict_.route->in_parts &&
                               request.ranges.size() == 1;
@@ -203,7 +212,15 @@ void Answering::writeReply(const httplib::Request& request, httplib::Response& r
     if (request.ranges.empty()) response.status = reply.status;
     for (const auto& [name, value] : reply.headers) response.set_header(name, value);
     if (verdict_.route->in_parts) response.set_header("Accept-Ranges", "bytes");
-    if (reply.bytes) response.set_content(*reply.bytes, reply.content_type);
+    if (!reply.bytes) return;
+    const Coding coding = accepted_.quickest();
+    std::optional<std::string> fewer;
+    if (!verdict_.route->in_parts && isCompressible(reply.content_type)) {
+        response.set_header("Vary", "Accept-Encoding");
+        fewer = compressed(*reply.bytes, coding, Effort::quick);
+    }
+    if (fewer) response.set_header("Content-Encoding", codingName(coding));
+    response.set_content(fewer ? std::move(*fewer) : *reply.bytes, reply.content_type);
 }
 
 void Answering::signIn(httplib::Response& response) const {
@@ -212,20 +229,30 @@ void Answering::signIn(httplib::Response& response) const {
 }
 
 void Answering::writePage(const httplib::Request& request, httplib::Response& response) const {
-    response.set_header("ETag", verdict_.page->etag);
+    const PageFile& page = *verdict_.page;
+    const Coding coding = accepted_.smallest();
+    const auto& fewer = coding == Coding::brotli ? page.brotli : page.gzip;
+    const bool is_coded = coding != Coding::none && fewer;
+    std::string etag = page.etag;
+    if (is_coded) etag.insert(etag.size() - 1, std::string("-") + codingName(coding));
+    response.set_header("ETag", etag);
+    response.set_header("Vary", "Accept-Encoding");
     response.set_header("Cache-Control", "no-cache");  // asked for again each time, by the ETag
-    if (request.get_header_value("If-None-Match") == verdict_.page->etag) {
+    if (request.get_header_value("If-None-Match") == etag) {
         response.status = 304;
         return;
     }
     response.status = 200;
-    response.set_content(*verdict_.page->bytes, verdict_.page->content_type);
+    if (is_coded) response.set_header("Content-Encoding", codingName(coding));
+    response.set_content(is_coded ? *fewer : *page.bytes, page.content_type);
 }
 
 void Answering::callRoute(const httplib::Request& request, httplib::Response& response) const {
     const Route& route = *verdict_.route;
     Call call;
     call.path = verdict_.path_parts;
+    if (route.takes_revision && request.has_header("If-Match"))
+        call.revision = revisionOf(request.get_header_value("If-Match"));
     if (request.is_multipart_form_data()) {
         auto form = formBody(route.form, request.files);
         if (!form) return writeRefusal(response, refusalOf(form.error()));

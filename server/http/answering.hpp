@@ -10,6 +10,7 @@
 #include <string>
 
 #include "admission.hpp"
+#include "compression.hpp"
 #include "connection.hpp"
 #include "server/http/http_server.hpp"
 
@@ -34,7 +35,8 @@ class Answering : private httplib::Server {
     const Admission& admission_;
     const ServerLimits& limits_;
     const std::atomic<Clock::rep>& stop_at_;
-    Verdict verdict_;  ///< on the request that is being answered
+    Verdict verdict_;           ///< on the request that is being answered
+    AcceptedCodings accepted_;  ///< by its client
 };
 
 }  // namespace deixis::server

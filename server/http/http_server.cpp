@@ -117,7 +117,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const ServerSettings& sett
         if (!loaded) return tl::unexpected(loaded.error());
         tls = std::move(*loaded);
     }
-    auto pages = loadPageFiles(settings.pages, settings.page_files);
+    auto pages = loadPageFiles(settings.pages, settings.page_files, settings.page_contents);
     if (!pages) return tl::unexpected(pages.error());
     auto listening = listenOn(settings.address, settings.port);
     if (!listening) return tl::unexpected(listening.error());

@@ -122,6 +122,7 @@ Result<void> checkObject(const Shape& shape, const json& value, const std::strin
         const auto field = std::find_if(shape.fields.begin(), shape.fields.end(),
                                         [&name = name](const ShapeField& one) { return one.name == name; });
         if (field == shape.fields.end()) {
+            if (shape.open) continue;
             std::vector<std::string_view> names;
             for (const ShapeField& one : shape.fields) names.push_back(one.name);
             const std::string_view nearest = nearestName(name, names);
@@ -201,7 +202,7 @@ void addFields(nlohmann::ordered_json& schema, const Shape& shape) {
     }
     schema["properties"] = properties;
     if (!required.empty()) schema["required"] = required;
-    schema["additionalProperties"] = false;
+    schema["additionalProperties"] = shape.open;
     for (const std::string& name : shape.exactly_one) {
         auto one = nlohmann::ordered_json::object();
         one["required"] = {name};
@@ -277,6 +278,12 @@ Shape listShape(std::string about, Shape item, std::size_t min_items, std::size_
 Shape objectShape(std::string about, std::vector<ShapeField> fields) {
     Shape shape = ofKind(Shape::Kind::object, std::move(about));
     shape.fields = std::move(fields);
+    return shape;
+}
+
+Shape openObjectShape(std::string about, std::vector<ShapeField> fields) {
+    Shape shape = objectShape(std::move(about), std::move(fields));
+    shape.open = true;
     return shape;
 }
 

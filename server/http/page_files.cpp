@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "compression.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 
@@ -44,6 +45,13 @@ const char* contentType(const std::string& extension) {
     return found == types.end() ? "application/octet-stream" : found->second;
 }
 
+std::shared_ptr<const std::string> compressedOnce(std::string_view bytes, const std::string& content_type,
+                                                  Coding coding) {
+    if (!isCompressible(content_type)) return nullptr;
+    auto out = compressed(bytes, coding, Effort::thorough);
+    return out ? std::make_shared<const std::string>(std::move(*out)) : nullptr;
+}
+
 bool isPlainName(const std::string& name) {
     return !name.starts_with('.') && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
@@ -75,28 +83,44 @@ struct PageReader {
     Result<void> readPage(const fs::path& file, const std::string& path, const std::string& name) {
         auto content = readFile(file, most_bytes - bytes);
         if (!content) return tl::unexpected(content.error());
-        bytes += content->size();
+        add(path, name, std::move(*content));
+        return {};
+    }
+
+    void add(const std::string& path, const std::string& name, std::string content) {
+        bytes += content.size();
         PageFile page;
-        page.etag = fmt::format("\"{}\"", sha256Hex(*content).substr(0, 32));
+        page.etag = fmt::format("\"{}\"", sha256Hex(content).substr(0, 32));
         page.content_type = contentType(fs::path(name).extension().string());
-        page.bytes = std::make_shared<const std::string>(std::move(*content));
+        page.gzip = compressedOnce(content, page.content_type, Coding::gzip);
+        page.brotli = compressedOnce(content, page.content_type, Coding::brotli);
+        page.bytes = std::make_shared<const std::string>(std::move(content));
         if (name == "index.html") files[path] = page;
         files[path + name] = std::move(page);
-        return {};
     }
 };
 
 }  // namespace
 
-Result<PageFiles> loadPageFiles(const fs::path& folder, const std::map<std::string, fs::path>& others) {
+Result<PageFiles> loadPageFiles(const fs::path& folder, const std::map<std::string, fs::path>& others,
+                                const std::map<std::string, std::string>& contents) {
     // The folder itself may be a link: a build's share has links to the sources.
     PageReader reader;
     if (!folder.empty())
         if (auto read = reader.readFolder(folder, "/"); !read) return tl::unexpected(read.error());
-    for (const auto& [path, file] : others) {
+    const auto split = [](const std::string& path) {
         const std::size_t name = path.rfind('/') + 1;
-        if (auto read = reader.readPage(file, path.substr(0, name), path.substr(name)); !read)
-            return tl::unexpected(read.error());
+        return std::pair(path.substr(0, name), path.substr(name));
+    };
+    for (const auto& [path, file] : others) {
+        const auto [within, name] = split(path);
+        if (auto read = reader.readPage(file, within, name); !read) return tl::unexpected(read.error());
+    }
+    for (const auto& [path, content] : contents) {
+        const auto [within, name] = split(path);
+        if (content.size() > most_bytes - std::min(most_bytes, reader.bytes))
+            return fail(path, fmt::format("the page's files have more than {} MiB", most_bytes >> 20U));
+        reader.add(within, name, content);
     }
     return std::move(reader.files);
 }

@@ -12,13 +12,6 @@ bool belongsToPart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
-template <class Json>
-Reply replyOf(const Json& value) {
-    Reply reply;
-    reply.bytes = std::make_shared<const std::string>(value.dump());
-    return reply;
-}
-
 }  // namespace
 
 Refusal refusalOf(const Error& error, int status) {
@@ -49,11 +42,27 @@ Shape refusalShape() {
 }
 
 Reply jsonReply(const nlohmann::json& value) {
-    return replyOf(value);
+    return jsonTextReply(value.dump());
 }
 
 Reply jsonReply(const nlohmann::ordered_json& value) {
-    return replyOf(value);
+    return jsonTextReply(value.dump());
+}
+
+Reply jsonTextReply(std::string text) {
+    Reply reply;
+    reply.bytes = std::make_shared<const std::string>(std::move(text));
+    return reply;
+}
+
+Reply emptyReply() {
+    Reply reply;
+    reply.status = 204;
+    return reply;
+}
+
+void addRevision(Reply& reply, const std::string& revision) {
+    reply.headers.emplace_back("ETag", '"' + revision + '"');
 }
 
 std::optional<std::map<std::string, std::string>> matchPath(const std::string& pattern,

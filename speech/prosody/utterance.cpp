@@ -33,7 +33,7 @@ Result<SpokenText> spokenText(const Voices& voices, Aligner* aligner, std::strin
     auto speech = voices.speak(text, voice, options);
     if (!speech) return tl::unexpected(speech.error());
     const VoiceProgram* const program = voices.program(voice);
-    if (program != nullptr && program->english) {
+    if (program != nullptr && isEnglish(program->language) && !program->tells_words) {
         const std::string where = fmt::format("voice \"{}\"", program->name);
         if (aligner == nullptr)
             return fail(where, "the words in its sound cannot be found without PocketSphinx's model",

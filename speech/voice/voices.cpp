@@ -29,6 +29,11 @@ std::vector<std::string> Voices::names() const {
     return out;
 }
 
+std::string Voices::language(std::string_view name) const {
+    const VoiceProgram* const by_program = program(name);
+    return by_program == nullptr ? "en" : by_program->language;
+}
+
 const VoiceProgram* Voices::program(std::string_view name) const {
     const auto found = std::find_if(programs_.begin(), programs_.end(),
                                     [&](const VoiceProgram& program) { return program.name == name; });
@@ -47,12 +52,7 @@ Result<Speech> Voices::speak(std::string_view text, std::string_view name,
     if (options.rate != 1.0)
         return fail("rate", fmt::format("found {}, expected 1: the voice \"{}\" is a program of its own",
                                         options.rate, name));
-    auto sound = speakByProgram(*by_program, text);
-    if (!sound) return tl::unexpected(sound.error());
-    Speech out;
-    out.sound = std::move(*sound);
-    out.utterance.duration_s = durationOf(out.sound);
-    return out;
+    return speechByProgram(*by_program, text);
 }
 
 }  // namespace deixis::speech

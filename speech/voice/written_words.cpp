@@ -95,7 +95,7 @@ Result<std::vector<WrittenWord>> writtenWords(std::string_view text, const std::
             return fail(
                 where,
                 fmt::format("found \"{}\" of {}, expected English in Latin letters", written, use.script),
-                "No voice here speaks it; give a recording");
+                "Take a voice of its language where there is one, or give a recording");
         if (use.kind == CharacterKind::nothing) continue;
         if (use.kind == CharacterKind::blank || use.kind == CharacterKind::dash) {
             word.finish(words);

@@ -97,11 +97,11 @@ TEST_SUITE("server/refusals") {
               std::string("http://localhost"), "http://localhost:" + port + ".evil.example",
               "localhost:" + port, "http://localhost:" + port + "/x", std::string("file://")}) {
             CAPTURE(other);
-            for (const char* method : {"GET", "POST"}) {
-                const auto answer =
-                    std::string(method) == "GET"
-                        ? client.Get("/v1/plain", Headers{{"Origin", other}})
-                        : client.Post("/v1/echo", Headers{{"Origin", other}}, "{}", "application/json");
+            const Headers from{{"Origin", other}};
+            for (const auto& answer :
+                 {client.Get("/v1/plain", from), client.Post("/v1/echo", from, "{}", "application/json"),
+                  client.Put("/v1/things/x", from, "{}", "application/json"),
+                  client.Delete("/v1/things/x", from)}) {
                 REQUIRE(answer);
                 CHECK(answer->status == 403);
                 checkError(answer->body, nullptr);
@@ -114,6 +114,24 @@ TEST_SUITE("server/refusals") {
         auto client = server.client();
         CHECK(client.Get("/v1/things/a-B_9")->body == R"({"id":"a-B_9"})");
         CHECK(client.Delete("/v1/things/x")->body == R"({"gone":"x"})");
+        const auto put = [&](const Headers& headers) {
+            const auto answer = client.Put("/v1/things/x", headers, "{}", "application/json");
+            REQUIRE(answer);
+            CHECK(answer->status == 200);
+            CHECK(answer->get_header_value("ETag") == "\"new\"");
+            return json::parse(answer->body)["revision"].get<std::string>();
+        };
+        CHECK(put({}) == "none");
+        for (const char* header : {"\"abc\"", "W/\"abc\"", "abc", " \"abc\" "})
+            CHECK(put({{"If-Match", header}}) == "abc");
+        CHECK(put({{"If-Match", "*"}}) == "*");
+        auto stranger = server.client(false);
+        CHECK(stranger.Put("/v1/things/x", "{}", "application/json")->status == 401);
+        CHECK(stranger.Delete("/v1/things/x")->status == 401);
+        CHECK(
+            client.Put("/v1/things/x", Headers{{"Host", "evil.example"}}, "{}", "application/json")->status ==
+            421);
+        CHECK(client.Delete("/v1/things/x", Headers{{"Host", "evil.example"}})->status == 421);
         for (const char* path :
              {"/v1/things/", "/v1/things/a/b", "/v1/things/a.b", "/v1/things/..", "/v1/things/a%2Fb",
               "/v1/plain/", "//v1/plain", "/v1/../v1/plain", "/v1/%70lain", "/V1/plain", "/"}) {
@@ -126,7 +144,7 @@ TEST_SUITE("server/refusals") {
         CHECK(client.Get(("/v1/things/" + std::string(65, 'a')).c_str())->status == 404);
         const auto wrong = client.Post("/v1/things/x", "{}", "application/json");
         CHECK(wrong->status == 405);
-        CHECK(wrong->get_header_value("Allow") == "GET, DELETE");
+        CHECK(wrong->get_header_value("Allow") == "GET, DELETE, PUT");
         checkError(wrong->body, nullptr);
         CHECK(client.Put("/v1/echo", "{}", "application/json")->status == 405);
         CHECK(client.Options("/v1/plain")->status == 405);

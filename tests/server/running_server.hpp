@@ -17,6 +17,8 @@
 #include "server/http/http_server.hpp"
 #include "server/raw_client.hpp"
 
+#undef _res  // of <resolv.h>, which httplib.h includes; Eigen has parameters of this name
+
 namespace deixis::tests {
 
 inline constexpr const char* test_token = "0123456789abcdef-test";
@@ -37,6 +39,15 @@ class TestRoutes {
         routes.push_back(plain("DELETE", "/v1/things/{id}", [](const Call& call) {
             return jsonReply(nlohmann::json{{"gone", call.path.at("id")}});
         }));
+        Route put = plain("PUT", "/v1/things/{id}", [](const Call& call) {
+            Reply reply = jsonReply(
+                nlohmann::json{{"put", call.path.at("id")}, {"revision", call.revision.value_or("none")}});
+            addRevision(reply, "new");
+            return Answer(reply);
+        });
+        put.body = objectShape("", {});
+        put.takes_revision = true;
+        routes.push_back(put);
         routes.push_back(plain("GET", "/v1/bytes", [](const Call&) {
             Reply reply;
             reply.content_type = "audio/wav";

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <doctest/doctest.h>
-#include <httplib.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -22,7 +22,20 @@ inline constexpr const char* quick_voice = "kal16";
 inline server::StudioParts studioParts() {
     auto library = assets::loadUnitGestures(sourceDir() / "assets/data/unit_gestures.toml");
     REQUIRE_MESSAGE(library.has_value(), (library ? "" : library.error().text()));
-    return {"1.2.3", "0123abc", std::move(*library)};
+    server::StudioParts parts;
+    parts.version = "1.2.3";
+    parts.commit = "0123abc";
+    parts.library = std::move(*library);
+    return parts;
+}
+
+/// With a folder to keep things in.
+inline server::StudioParts studioPartsIn(const std::filesystem::path& folder) {
+    auto parts = studioParts();
+    auto kept = server::KeptFolder::open(folder, server::KeptFolder::Make::now);
+    REQUIRE_MESSAGE(kept.has_value(), (kept ? "" : kept.error().text()));
+    parts.folder = std::move(*kept);
+    return parts;
 }
 
 struct StudioServer {
@@ -48,6 +61,27 @@ struct StudioServer {
     };
     [[nodiscard]] Answered post(const std::string& path, const nlohmann::json& body) const {
         const auto answer = client().Post(path, body.dump(), "application/json");
+        REQUIRE(answer);
+        return {answer->status, nlohmann::json::parse(answer->body, nullptr, false)};
+    }
+    /// `revision`: of If-Match; empty: none.
+    [[nodiscard]] Answered put(const std::string& path, const nlohmann::json& body,
+                               const std::string& revision = "") const {
+        httplib::Headers headers;
+        if (!revision.empty()) headers.emplace("If-Match", '"' + revision + '"');
+        const auto answer = client().Put(path, headers, body.dump(), "application/json");
+        REQUIRE(answer);
+        return {answer->status, nlohmann::json::parse(answer->body, nullptr, false)};
+    }
+    [[nodiscard]] Answered remove(const std::string& path, const std::string& revision = "") const {
+        httplib::Headers headers;
+        if (!revision.empty()) headers.emplace("If-Match", '"' + revision + '"');
+        const auto answer = client().Delete(path, headers);
+        REQUIRE(answer);
+        return {answer->status, nlohmann::json::parse(answer->body, nullptr, false)};
+    }
+    [[nodiscard]] Answered ask(const std::string& path) const {
+        const auto answer = client().Get(path);
         REQUIRE(answer);
         return {answer->status, nlohmann::json::parse(answer->body, nullptr, false)};
     }

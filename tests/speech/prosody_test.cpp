@@ -239,8 +239,8 @@ TEST_SUITE("speech/utterance") {
         const auto path = std::filesystem::temp_directory_path() / "deixis_utterance_test.wav";
         REQUIRE(speech::writeWav(path, speech::speakByFlite(text, "rms")->sound).has_value());
         const auto voices =
-            speech::Voices::with({{"lab", {"cat", path.string()}, std::chrono::seconds(10), true},
-                                  {"foreign", {"cat", path.string()}, std::chrono::seconds(10), false}});
+            speech::Voices::with({{"lab", {"cat", path.string()}, std::chrono::seconds(10), "en"},
+                                  {"foreign", {"cat", path.string()}, std::chrono::seconds(10), "ko"}});
         auto aligner = speech::Aligner::load();
         REQUIRE(aligner.has_value());
         const auto spoken = spokenText(*voices, &*aligner, text, "lab");

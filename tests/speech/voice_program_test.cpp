@@ -134,3 +134,49 @@ TEST_SUITE("speech/voice_program") {
         CHECK(contains(speech::Voices::with({{"lab", {}}}).error().text(), "no command"));
     }
 }
+
+TEST_SUITE("speech/told_words") {
+    using speech::readToldSpeech;
+
+    TEST_CASE("Words stand before the sound, each a syllable that can be accented") {
+        const WithWav files;
+        const auto wav = readFile(files.wav());
+        REQUIRE(wav);
+        const auto told = readToldSpeech("0 0.2 Gr\xC3\xBC\xC3\x9F\n0.2 0.45 zwei drei\n\n" + *wav, "voice");
+        REQUIRE_MESSAGE(told.has_value(), (told ? "" : told.error().text()));
+        CHECK(told->utterance.duration_s == doctest::Approx(0.5));
+        REQUIRE(told->utterance.words.size() == 2);
+        CHECK(told->utterance.words[0].text == "Gr\xC3\xBC\xC3\x9F");
+        CHECK(told->utterance.words[1].text == "zwei drei");
+        CHECK(told->utterance.words[1].start_s == doctest::Approx(0.2));
+        REQUIRE(told->syllables.size() == 2);
+        CHECK(told->syllables[1].word == 1);
+        CHECK(told->syllables[1].stressed);
+        // The last word may go on a little behind the sound, which it is cut to.
+        CHECK(readToldSpeech("0 0.7 a\n\n" + *wav, "voice")->utterance.words[0].end_s ==
+              doctest::Approx(0.5));
+        CHECK(readToldSpeech("\n" + *wav, "voice")->utterance.words.empty());
+    }
+
+    TEST_CASE("What is not told in this way names its line") {
+        const WithWav files;
+        const std::string wav = *readFile(files.wav());
+        const auto problem = [&](const std::string& words) {
+            const auto told = readToldSpeech(words + wav, "voice");
+            return told ? std::string() : told.error().text();
+        };
+        for (const char* line :
+             {"a b c", "0 0.1", "0 0.1 ", "-1 0.1 a", "0.1 0.05 a", "0 nan a", "0  0.1 a", "0 0.1 \xff"})
+            CHECK_MESSAGE(contains(problem("0 0.1 first\n" + std::string(line) + "\n\n"), "in line 2"), line);
+        CHECK(contains(problem("0.2 0.3 a\n0.1 0.3 b\n\n"), "in line 2"));
+        CHECK(contains(problem("0.6 0.7 a\n\n"), "before the sound's end"));
+        CHECK(!problem("").empty());
+        CHECK(!problem("0 0.1 a\n").empty());
+        CHECK(!readToldSpeech("", "voice"));
+        CHECK(!readToldSpeech("0 0.1 a\n\n", "voice"));
+        CHECK(contains(problem(std::string(2000, 'x')), "does not end"));
+        std::string many;
+        for (int i = 0; i < 30'000; ++i) many += "0 0.1 a\n";
+        CHECK(contains(problem(many + "\n"), "more than"));
+    }
+}

@@ -22,8 +22,12 @@ class GlbWriter {
                     int target = 0);
     std::size_t add(const std::vector<std::uint8_t>& values, std::size_t count, std::string_view type,
                     int target = 0);
+    std::size_t add(const std::vector<std::uint16_t>& values, std::size_t count, std::string_view type,
+                    int target = 0);
     std::size_t add(const std::vector<std::uint32_t>& values, std::size_t count, std::string_view type,
                     int target = 0);
+    /// Index of a new view of bytes, such as a picture's.
+    std::size_t addBytes(std::string_view bytes);
     /// The smallest and the largest of each of an accessor's components, as arrays.
     void setBounds(std::size_t accessor, GltfJson min, GltfJson max);
 

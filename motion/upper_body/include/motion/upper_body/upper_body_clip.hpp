@@ -26,4 +26,8 @@ namespace deixis::motion {
 /// avatars. At least one frame is needed. Without `relaxed_fingers` they are stretched.
 [[nodiscard]] Clip avatarClip(const UpperBodyMotion& motion, bool relaxed_fingers = true);
 
+/// As long as a sound: the last frame is held to the first multiple of a frame's time that is not before the
+/// sound's end, which in a file that knows whole frames only is its last one's time.
+[[nodiscard]] Clip heldFor(const Clip& clip, double duration_s);
+
 }  // namespace deixis::motion

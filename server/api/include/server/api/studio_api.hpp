@@ -4,23 +4,37 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "motion/skeleton/skeleton.hpp"
+#include "motion/speech_gestures/speech_gestures.hpp"
 #include "motion/unit_gestures/unit_gesture.hpp"
 #include "server/http/route.hpp"
+#include "server/kept/kept_folder.hpp"
 #include "speech/voice/voices.hpp"
 
 namespace deixis::server {
+
+/// Another avatar than Deixis's own: in the T pose, its bones with VRM names, without rest rotations.
+struct DrawnAvatar {
+    motion::Skeleton skeleton;
+    motion::HumanoidMap humanoid;
+};
 
 /// What the routes work with.
 struct StudioParts {
     std::string version;  ///< of the program
     std::string commit;
     motion::GestureLibrary library;
+    std::optional<motion::SpeechGestureModel> model{};  ///< none: gestures are by rules
     speech::Voices voices{};
     /// Speeches are kept in memory; above this the one that was used least recently is forgotten.
     std::size_t kept_speech_bytes = std::size_t{256} << 20U;
+    std::optional<DrawnAvatar> avatar{};  ///< none: Deixis's own is drawn
+    /// Where motions, rules and projects are kept; none: they are not.
+    std::optional<KeptFolder> folder{};
 };
 
 /// They may be called from several threads, and keep what they need.

@@ -51,6 +51,8 @@ struct ServerSettings {
     std::filesystem::path pages{};  ///< a folder whose files are served from / on; empty: none
     /// Other files that the page loads, by their path: "/avatar.glb".
     std::map<std::string, std::filesystem::path> page_files{};
+    /// The same, of bytes that are no file; they stand in place of a file of the same path.
+    std::map<std::string, std::string> page_contents{};
     ServerLimits limits{};
 };
 

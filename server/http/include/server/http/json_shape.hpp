@@ -29,6 +29,7 @@ struct Shape {
     std::vector<ShapeField> fields;  ///< of an object: no others may stand in it
     std::vector<std::string>
         exactly_one{};  ///< of an object: one of these fields must stand in it, and only one
+    bool open = false;  ///< an object in which any other fields may stand, too
     bool nullable = false;
 };
 
@@ -52,6 +53,8 @@ struct ShapeField {
 [[nodiscard]] Shape listShape(std::string about, Shape item, std::size_t min_items = 0,
                               std::size_t max_items = std::numeric_limits<std::size_t>::max());
 [[nodiscard]] Shape objectShape(std::string about, std::vector<ShapeField> fields);
+/// With any others beside these.
+[[nodiscard]] Shape openObjectShape(std::string about, std::vector<ShapeField> fields);
 
 [[nodiscard]] ShapeField mustField(std::string name, Shape shape);
 [[nodiscard]] ShapeField mayField(std::string name, Shape shape, nlohmann::json otherwise = {});

@@ -40,6 +40,12 @@ struct Reply {
 
 [[nodiscard]] Reply jsonReply(const nlohmann::json& value);
 [[nodiscard]] Reply jsonReply(const nlohmann::ordered_json& value);
+/// Of a text that is JSON.
+[[nodiscard]] Reply jsonTextReply(std::string text);
+/// 204.
+[[nodiscard]] Reply emptyReply();
+/// The revision of what is answered, as ETag.
+void addRevision(Reply& reply, const std::string& revision);
 
 using Answer = tl::expected<Reply, Refusal>;
 
@@ -48,6 +54,7 @@ struct Call {
     std::map<std::string, std::string> path{};  ///< what stands in the braces
     nlohmann::json body{};                      ///< null where the route takes none, or a form came
     std::optional<std::map<std::string, std::string>> form{};  ///< name and bytes of each part
+    std::optional<std::string> revision{};                     ///< of If-Match, without its quotes; "*": any
 };
 
 /// A part of an upload (multipart/form-data).
@@ -62,12 +69,12 @@ struct FormPart {
 struct Outcome {
     int status = 200;
     std::string about;
-    std::string content_type{"application/json"};
-    std::optional<Shape> shape{};  ///< of JSON
+    std::string content_type{"application/json"};  ///< empty: an empty body
+    std::optional<Shape> shape{};                  ///< of JSON
 };
 
 struct Route {
-    std::string method;  ///< GET, POST or DELETE
+    std::string method;  ///< GET, POST, PUT or DELETE
     /// "/v1/speech/{id}.wav": a name in braces stands for 1 to 64 letters of a-z, A-Z, 0-9, '_' and '-'.
     std::string path;
     std::string name;  ///< of the operation in the document
@@ -78,6 +85,7 @@ struct Route {
     std::size_t max_body_bytes = std::size_t{1} << 20U;  ///< of JSON
     std::size_t max_form_bytes = std::size_t{1} << 20U;
     bool in_parts = false;          ///< parts of what it answers may be asked for: a sound that is played
+    bool takes_revision = false;    ///< what it changes must be as If-Match says
     std::vector<Outcome> outcomes;  ///< several of one status: of several types
     std::function<Answer(const Call&)> run;
 };

@@ -15,8 +15,9 @@ namespace deixis::speech {
 
 struct SpokenText {
     Sound sound;
-    Utterance utterance;           ///< no words and accents where the voice's language is not English
-    std::vector<double> pitch;     ///< as pitchOf()
+    Utterance utterance;        ///< no words and accents where the voice does not tell them and its language
+                                ///< is not English
+    std::vector<double> pitch;  ///< as pitchOf()
     std::vector<double> loudness;  ///< as loudnessOf()
 };
 

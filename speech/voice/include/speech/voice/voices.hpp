@@ -23,11 +23,14 @@ class Voices {
     /// fliteVoices(), then the programs' in their order. The first is the one to begin with.
     [[nodiscard]] std::vector<std::string> names() const;
 
+    /// Of a voice: "en" of flite's.
+    [[nodiscard]] std::string language(std::string_view name) const;
+
     /// The program of this name; null for flite's voices and unknown names.
     [[nodiscard]] const VoiceProgram* program(std::string_view name) const;
 
-    /// By a program, the utterance has a duration only, and the rate must be 1: a program takes no options.
-    /// Errors: an unknown voice; those of speakByFlite() and speakByProgram().
+    /// By a program, the utterance has what speechByProgram() says, and the rate must be 1: a program takes
+    /// no options. Errors: an unknown voice; those of speakByFlite() and speakByProgram().
     [[nodiscard]] Result<Speech> speak(std::string_view text, std::string_view name,
                                        const SpeakOptions& options = {}) const;
 
