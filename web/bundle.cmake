@@ -10,15 +10,19 @@ execute_process(COMMAND ${esbuild} studio=src/main.tsx studio=src/styles/studio.
     WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)
 file(COPY ${FOLDER}/src/index.html ${FOLDER}/src/icon.svg DESTINATION ${OUT})
 
-# The avatar's script is asked for at once, not when the first one has been read.
-file(GLOB later RELATIVE ${OUT} ${OUT}/avatar_view-*.js)
+# The avatar's script, and what it shares with the first one, are asked for at once, not when the first one has been read.
+file(GLOB later RELATIVE ${OUT} ${OUT}/avatar_view-*.js ${OUT}/chunk-*.js)
 file(READ ${OUT}/index.html page)
-string(REPLACE "<link rel=\"modulepreload\" href=\"/studio.js\">"
-    "<link rel=\"modulepreload\" href=\"/studio.js\">\n<link rel=\"modulepreload\" href=\"/${later}\">" page "${page}")
+set(first "<link rel=\"modulepreload\" href=\"/studio.js\">")
+set(links ${first})
+foreach(script ${later})
+    string(APPEND links "\n<link rel=\"modulepreload\" href=\"/${script}\">")
+endforeach()
+string(REPLACE "${first}" "${links}" page "${page}")
 file(WRITE ${OUT}/index.html "${page}")
 
 set(notice "The studio's page is built with the following libraries.\n")
-foreach(library preact @preact/signals @preact/signals-core immer three wavesurfer.js)
+foreach(library preact @preact/signals @preact/signals-core immer three wavesurfer.js mediabunny)
     file(READ ${modules}/${library}/package.json description)
     string(JSON version GET "${description}" version)
     file(GLOB licence ${modules}/${library}/LICENSE*)

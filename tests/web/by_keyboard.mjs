@@ -1,7 +1,7 @@
 // A session by keyboard alone: the mouse is never used, and the focus is always seen.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import {projectOf, sentence, visit} from "./visit.mjs";
+import {projectOf, sentence, undrawn, visit} from "./visit.mjs";
 
 const focused = page => page.evaluate(() => {
   const at = document.activeElement;
@@ -11,7 +11,7 @@ const focused = page => page.evaluate(() => {
 });
 
 // Tab until something has the focus; each stop on the way must be seen.
-async function tabTo(page, wanted, key = "Tab") {
+export async function tabTo(page, wanted, key = "Tab") {
   const way = [];
   for (let k = 0; k < 80; ++k) {
     await page.keyboard.press(key);
@@ -26,12 +26,12 @@ async function tabTo(page, wanted, key = "Tab") {
 const labels = page => page.locator(".control > .hidden").allTextContents();
 
 export async function byKeyboard(place) {
-  const {page, context, said} = await visit(place);
+  const {page, context, said} = await visit(place, {script: undrawn});
   await tabTo(page, at => at.id === "text");
   await page.keyboard.type(`${sentence} ${sentence}`); // room for a gesture twice
   await page.keyboard.press("Control+Enter");
   await page.locator(".word").first().waitFor();
-  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));
+  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("Gestures are up to date"));
   await page.getByRole("button", {name: "Pause"}).waitFor();
 
   // The playhead: stopped, then put on the third word.
@@ -105,7 +105,7 @@ export async function byKeyboard(place) {
 
   // Generated inside the range, then the motion out.
   await page.keyboard.press("Control+Shift+Enter");
-  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));
+  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("Gestures are up to date"));
   await page.keyboard.press("Control+Home");
   await tabTo(page, at => at.name === "BVH", "Shift+Tab");
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);

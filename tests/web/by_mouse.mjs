@@ -1,7 +1,7 @@
 // A session by mouse: from a text to a motion that is corrected, saved and opened again.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import {drag, generate, middleOf, projectOf, sentence, still, visit} from "./visit.mjs";
+import {drag, generate, middleOf, projectOf, sentence, still, undrawn, visit} from "./visit.mjs";
 
 const pictureOf = page => page.locator(".stage canvas").screenshot();
 
@@ -12,6 +12,7 @@ export async function byMouse(place) {
   await page.getByRole("button", {name: "Generate", exact: true}).click();
   await page.waitForFunction(() => Number(document.querySelector("canvas").dataset.time) > 0.05);
   assert.notDeepEqual(await pictureOf(page), atRest, "the avatar moves");
+  await page.evaluate(undrawn);
   await still(page);
   const words = await page.locator(".word").allTextContents();
   assert.deepEqual(words, sentence.replaceAll(/[.,]/g, "").split(" "));
@@ -79,7 +80,7 @@ export async function byMouse(place) {
 
   // Generated again: with these controls.
   await page.getByRole("button", {name: "Generate", exact: true}).click();
-  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));
+  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("Gestures are up to date"));
   await still(page);
   const {project} = await projectOf(page);
   assert.equal(project.document.poseControls.length, 2);
@@ -90,7 +91,7 @@ export async function byMouse(place) {
   const kept = generated.at(-1).frames;
   const [range] = await Promise.all([page.waitForRequest("**/v1/generate"), page.getByRole("button", {name: "Range only"}).click()]);
   const {keep} = range.postDataJSON();
-  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));
+  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("Gestures are up to date"));
   await still(page);
   const again = generated.at(-1).frames;
   assert.equal(again.length, kept.length);
@@ -127,7 +128,7 @@ export async function byMouse(place) {
   await bypass.click();
   const [without] = await Promise.all([page.waitForRequest("**/v1/generate"), page.getByRole("button", {name: "Generate", exact: true}).click()]);
   assert.ok(!("pose_controls" in without.postDataJSON()) && "style_controls" in without.postDataJSON());
-  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));
+  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("Gestures are up to date"));
   await still(page);
   await page.getByRole("button", {name: /^Undo/}).click();
   await page.getByRole("button", {name: /^Undo/}).click();
@@ -150,7 +151,7 @@ export async function byMouse(place) {
   await page.setInputFiles("#recording-file", await sound.path());
   await page.locator(".recording").waitFor();
   await page.getByRole("button", {name: "Generate", exact: true}).click();
-  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));
+  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("Gestures are up to date"));
   assert.deepEqual(await page.locator(".word").allTextContents(), words);
   await still(page);
   await page.getByRole("button", {name: "Leave the recording out"}).click();

@@ -2,8 +2,11 @@
 // wrong.
 //   node check_studio.mjs SHARE OUT [PROGRAM]
 import path from "node:path";
+import {authoring} from "./authoring.mjs";
+import {authoringByKeys} from "./authoring_keys.mjs";
 import {byKeyboard} from "./by_keyboard.mjs";
 import {byMouse} from "./by_mouse.mjs";
+import {keeping} from "./keeping.mjs";
 import {looks} from "./looks.mjs";
 import {goesWrong} from "./goes_wrong.mjs";
 import {inStep} from "./in_step.mjs";
@@ -13,7 +16,7 @@ const [share, out, program] = process.argv.slice(2).map(word => path.resolve(wor
 const place = await begin({share, out, program});
 try {
   const only = process.env.ONLY?.split(",");
-  for (const [name, check] of Object.entries({inStep, byMouse, byKeyboard, looks, goesWrong})) {
+  for (const [name, check] of Object.entries({inStep, byMouse, byKeyboard, authoring, authoringByKeys, keeping, looks, goesWrong})) {
     if (only && !only.includes(name)) continue;
     const begun = performance.now();
     const found = await check(place);

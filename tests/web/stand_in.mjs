@@ -5,6 +5,7 @@ import fs from "node:fs";
 import http from "node:http";
 import path from "node:path";
 import {pathToFileURL} from "node:url";
+import {keeping, Refusal} from "./stand_in_kept.mjs";
 
 const fps = 15;
 const types = {".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".txt": "text/plain"};
@@ -67,7 +68,6 @@ const gestures = [
   frames: Array.from({length: 21}, (_, k) => poseOf(at(Math.sin(Math.PI * k / 20) ** 0.7)))}));
 
 const limits = {speed: 3, space: 3, handedness: 3};
-class Refusal extends Error { constructor(field, message, status = 400) { super(message); this.field = field; this.status = status; } }
 
 function framesOf(speech, seed, styles = []) {
   const count = Math.max(1, Math.ceil(speech.duration_s * fps));
@@ -124,9 +124,29 @@ const pitchOf = ({words, duration_s}) => Array.from({length: Math.round(100 * du
 const answerOf = speech => ({speech_id: speech.id, words: speech.words, accents: speech.accents, duration_s: speech.duration_s,
   pitch: pitchOf(speech), pitch_fps: 100, sound: `/v1/speech/${speech.id}.wav`});
 
-const fields = new Set(["text", "speech_id", "voice", "seed", "format", "system", "pose_controls", "style_controls", "keep", "exact"]);
+const fields = new Set(["text", "speech_id", "voice", "seed", "format", "system", "pose_controls", "style_controls", "keep", "exact",
+  "fade", "still", "relaxed_fingers", "variety"]);
+const finish = ["fade", "still", "relaxed_fingers"];
+const systems = [{system: "model", takes: ["pose_controls", "style_controls", "keep", "exact", "variety", ...finish]},
+  {system: "rules", takes: ["pose_controls", "style_controls", "keep", "exact", ...finish]}, {system: "keyframes", takes: ["pose_controls", ...finish]}];
+
+// The arm that is nearer goes straight to the target.
+function pointed({target_m, side = "auto", pose}) {
+  const left = side === "left" || side === "auto" && target_m[0] > 0;
+  const shoulder = [left ? 0.18 : -0.18, 1.4, 0];
+  const away = target_m.map((one, k) => one - shoulder[k]);
+  if (Math.hypot(...away) < 0.3) throw new Refusal("target_m", "is nearer than 0.3 m to the shoulder");
+  const frame = [...pose ?? poseOf({})];
+  for (const bone of left ? [4, 5] : [7, 8]) frame.splice(3 * bone, 3, ...unit(away));
+  return {frame, side: left ? "left" : "right", off_deg: 0};
+}
+const kept = keeping(gestures, pointed);
 function generate(request) {
   for (const name of Object.keys(request)) if (!fields.has(name)) throw new Refusal(name, `${name} is not a field of this request`);
+  const system = systems.find(one => one.system === (request.system ?? "model"));
+  for (const name of [...systems[0].takes])
+    if (request[name] !== undefined && !system.takes.includes(name)) throw new Refusal(name, `${name} is not for ${system.system}`);
+  if ((request.style_controls ?? []).length > 1000) throw new Refusal("style_controls", "are more than 1000");
   const speech = speechFor(request);
   const total = Math.ceil(speech.duration_s * fps);
   for (const style of request.style_controls ?? [])
@@ -140,12 +160,12 @@ function generate(request) {
   const {keep} = request;
   if (keep) keep.frames.forEach((frame, k) => { if (k < keep.from_frame || k >= keep.to_frame) frames[k] = frame; });
   return {speech_id: speech.id, words: speech.words, accents: speech.accents, duration_s: speech.duration_s, fps, frames, tracks: tracksOf(frames),
-    sound: `/v1/speech/${speech.id}.wav`, system: "stand-in", synthetic: true};
+    sound: `/v1/speech/${speech.id}.wav`, system: system.system === "model" ? "stand-in" : system.system, synthetic: true};
 }
 
 const json = (response, status, body) => {
   response.writeHead(status, {"Content-Type": "application/json", "Cache-Control": "no-store", "Content-Security-Policy": policy});
-  response.end(JSON.stringify(body));
+  response.end(status === 204 ? undefined : JSON.stringify(body));
 };
 
 function answer(request, response, body, log) {
@@ -154,8 +174,8 @@ function answer(request, response, body, log) {
   const asked = body === "" ? null : body.startsWith("{") ? JSON.parse(body) : {text: /name="text"\r\n\r\n([^\r]*)/.exec(body)[1], form: body};
   if (asked) log.push({route, asked});
   if (route === "GET /v1/health")
-    return json(response, 200, {status: "ok", version: "0", commit: "0", systems: ["stand-in"], voices: ["first", "second"], synthetic: true});
-  if (route === "GET /v1/motions") return json(response, 200, {motions: gestures});
+    return json(response, 200, {status: "ok", version: "0", commit: "0", systems: ["stand-in"], synthetic: true, folder: true, gestures: systems,
+      voices: [{name: "first", language: "en"}, {name: "second", language: "de"}], other_languages: true, mean_pose: poseOf({})});
   if (route === "POST /v1/generate") return json(response, 200, generate(asked));
   if (route === "POST /v1/speech") {
     const speech = speechFor(asked);
@@ -166,6 +186,8 @@ function answer(request, response, body, log) {
     response.writeHead(200, {"Content-Type": "text/plain"});
     return response.end(`HIERARCHY\nMOTION\nFrames: ${asked.frames.length}\n`);
   }
+  const other = kept(request.method, address, asked, request.headers["if-match"]);
+  if (other) return json(response, ...other);
   const sound = /^\/v1\/speech\/(\w+)\.wav$/.exec(address);
   if (sound && speeches.has(sound[1])) {
     response.writeHead(200, {"Content-Type": "audio/wav"});

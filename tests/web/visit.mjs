@@ -16,10 +16,10 @@ const freePort = () => new Promise(resolve => {
   });
 });
 
-async function programServes(program) {
+async function programServes(program, folder) {
   const port = await freePort();
   const token = "of-the-tests";
-  const child = spawn(program, ["serve", "--port", String(port), "--token", token], {stdio: ["ignore", "inherit", "inherit"]});
+  const child = spawn(program, ["serve", "--port", String(port), "--token", token, "--folder", folder], {stdio: ["ignore", "inherit", "inherit"]});
   const address = `http://127.0.0.1:${port}`;
   for (let k = 0; k < 300; ++k) {
     if (child.exitCode !== null) throw new Error(`${program} serve ended with ${child.exitCode}`);
@@ -46,7 +46,7 @@ export async function begin({share, out, program}) {
   }
   fs.rmSync(out, {recursive: true, force: true});
   fs.mkdirSync(out, {recursive: true});
-  const server = program ? await programServes(program) : await standInServes(path.join(share, "studio"), path.join(share, "avatar.glb"));
+  const server = program ? await programServes(program, path.join(out, "kept")) : await standInServes(path.join(share, "studio"), path.join(share, "avatar.glb"));
   const browser = await chromium.launch({executablePath: browserFile(),
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]});
   return {server, browser, program, at: name => path.join(out, name), async end() {
@@ -55,9 +55,14 @@ export async function begin({share, out, program}) {
   }};
 }
 
+// For sessions that look at no picture of the avatar: a machine of tests draws in software, slowly.
+export function undrawn() {
+  for (const name of ["drawElements", "drawArrays"]) WebGL2RenderingContext.prototype[name] = () => {};
+}
+
 // A new window with the page in it, and what the page complained about, asked for, and got. `expected`: complaints that a
 // test provokes.
-export async function visit({server, browser}, {width = 1280, height = 720, dark = false, script = null, expected = /^$/} = {}) {
+export async function visit({server, browser}, {width = 1280, height = 720, dark = false, script = null, expected = /^$/, before = async () => {}} = {}) {
   const context = await browser.newContext({viewport: {width, height}, colorScheme: dark ? "dark" : "light", acceptDownloads: true});
   if (script) await context.addInitScript(script);
   const page = await context.newPage();
@@ -73,6 +78,7 @@ export async function visit({server, browser}, {width = 1280, height = 720, dark
   page.on("response", async response => {
     if (response.url().endsWith("/v1/generate") && response.ok()) generated.push(await response.json().catch(() => null));
   });
+  await before(page);
   await page.goto(server.page);
   await page.waitForSelector("canvas.ready");
   await page.waitForSelector(".tile");
@@ -84,15 +90,16 @@ export const sentence = "Welcome, everybody. Over here on the left you find the 
 export async function generate(page, text = sentence) {
   await page.fill("#text", text);
   await page.getByRole("button", {name: "Generate", exact: true}).click();
-  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("The gestures are up to date"));
+  await page.waitForFunction(() => document.querySelector(".state").textContent.startsWith("Gestures are up to date"));
   await page.waitForSelector(".word");
 }
 
-// Stops the sound, which a generated motion begins with.
+// Stops the sound, which a generated motion begins with; on a slow machine it may have ended by itself.
 export async function still(page) {
-  const pause = page.getByRole("button", {name: "Pause"});
-  await pause.waitFor();
-  await pause.click();
+  await page.waitForFunction(() => document.querySelector(".play").getAttribute("aria-label") === "Pause" ||
+      Number(document.querySelector(".ruler").getAttribute("aria-valuenow")) > 0);
+  await page.evaluate(() => document.querySelector(".play[aria-label=Pause]")?.click());
+  await page.locator(".play[aria-label=Play]").waitFor();
 }
 
 export const middleOf = async place => {

@@ -72,12 +72,27 @@ const speech = {text: "Hello there", voice: null, recording: null, pitch: [0, 12
   {word: "there", start_s: 0.45, end_s: 0.9}], accents: [{start_s: 0.1, end_s: 0.2, strength: 1, word: 0}], wav: "UklGRg=="};
 const full: StudioDocument = {...emptyDocument, name: "Größe / test", text: "Hello there", speech, seed: 3,
   motion: {frames: Array(16).fill(frame), tracks: {fps: 15, bones: ["head"], rotations: Array(16).fill([0, 0, 0, 1])}, system: "s", synthetic: true, madeFrom: "x"},
-  poseControls: [{kind: "pose", id: "p", start: 2, length: 3, name: "Point", base: [frame, frame], mirrored: true}],
-  styleControls: [{kind: "style", id: "q", start: 4, length: 6, speed: 0, space: null, handedness: -3}], range: {from: 3, to: 9}, recording: {id: "r", name: "mine.wav", wav: "UklGRg=="}, bypass: {pose: true, style: false}, exact: true};
+  poseControls: [{kind: "pose", id: "p", start: 2, length: 3, name: "Point", base: [frame, frame], mirrored: true, rule: "a1"}],
+  styleControls: [{kind: "style", id: "q", start: 4, length: 6, speed: 0, space: null, handedness: [{at: 0, value: -3}, {at: 0.25, value: 1.5}]}], range: {from: 3, to: 9}, recording: {id: "r", name: "mine.wav", wav: "UklGRg=="}, bypass: {pose: true, style: false}, exact: true,
+  system: "rules", variety: 1.5, finish: {fade: true, still: false, relaxedFingers: false}, byRules: true, home: null};
 
 test("a project comes back as it was written", () => {
   assert.deepEqual(readProject(writeProject(full, [])), full);
   assert.deepEqual(readProject(writeProject(emptyDocument, [])), emptyDocument);
+  const file = writeProject({...full, home: "p1"}, []);
+  assert.ok(!("home" in JSON.parse(file).document) && readProject(file).home === null, "a file is not the server's project");
+});
+
+test("a project of version 1 is read, and its motion still is of its controls", () => {
+  const file = JSON.parse(writeProject({...full, styleControls: []}, []));
+  const {system, variety, finish, byRules, ...document} = file.document;
+  delete document.poseControls[0].rule;
+  const before = readProject(JSON.stringify({...file, version: 1, document}));
+  assert.deepEqual(before, {...full, styleControls: [], poseControls: [{...full.poseControls[0]!, rule: null}], system: null, variety: 0,
+    finish: emptyDocument.finish, byRules: false});
+  const same = {...emptyDocument, text: "Hello there", seed: 3, exact: true, poseControls: before.poseControls,
+    styleControls: [{kind: "style" as const, id: "q", start: 4, length: 6, speed: 0, space: null, handedness: -3}]};
+  assert.equal(fingerprint(same), "172cd265-323", "as the page of version 1 wrote it");
 });
 
 const refused = (change: (file: any) => void, words: RegExp) => {
@@ -89,10 +104,15 @@ const refused = (change: (file: any) => void, words: RegExp) => {
 test("a project that is not one is refused with what is wrong", () => {
   assert.throws(() => readProject("{"), /not JSON/);
   assert.throws(() => readProject("[]"), /not a project/);
-  refused(file => { file.version = 2; }, /version 2.*newer/);
+  refused(file => { file.version = 3; }, /version 3.*newer/);
   refused(file => { delete file.version; }, /version/);
   refused(file => { file.document.text = 5; }, /the text should be text/);
   refused(file => { file.document.styleControls[0].speed = 3.5; }, /style control 1's speed should be a number from -3 to 3/);
+  refused(file => { file.document.styleControls[0].handedness = [{at: 0, value: 0}]; }, /style control 1's handedness should be a number, null, or points/);
+  refused(file => { file.document.styleControls[0].handedness[1].at = 0; }, /points in order/);
+  refused(file => { file.document.styleControls[0].handedness[1].value = 4; }, /handedness, point 2 should be a number from -3 to 3/);
+  refused(file => { file.document.variety = 3; }, /the variety/);
+  refused(file => { delete file.document.finish.still; }, /whether it is still/);
   refused(file => { file.document.styleControls[0].length = 13; }, /style control 1's length should be/);
   refused(file => { file.document.poseControls[0].base[1].pop(); }, /pose control 1's frames, frame 2 should be 27 numbers/);
   refused(file => { file.document.poseControls.push({...file.document.poseControls[0], id: "r"}); }, /do not overlap/);
@@ -113,6 +133,9 @@ test("whether the motion is of these controls does not depend on names", () => {
   assert.equal(fingerprint(used), fingerprint({...used, poseControls: [{...pose!, name: "Other"}]}));
   assert.notEqual(fingerprint(used), fingerprint({...used, poseControls: [{...pose!, start: 3}]}));
   assert.equal(fingerprint(full), fingerprint({...full, poseControls: [{...pose!, start: 3}]}), "bypassed ones do not count");
+  assert.equal(fingerprint(used), fingerprint({...used, poseControls: [{...pose!, rule: null}], byRules: false, home: "p"}));
+  for (const other of [{system: null}, {variety: 0}, {finish: {...full.finish, still: true}}])
+    assert.notEqual(fingerprint(full), fingerprint({...full, ...other}));
   assert.notEqual(fingerprint(full), fingerprint({...full, seed: 4}));
   assert.notEqual(fingerprint(full), fingerprint({...full, styleControls: [{...full.styleControls[0]!, speed: null}]}));
 });

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {interpolated, isFrame, jointsOf, lengthAtSpeed, mirrored, resampled} from "../../../web/src/model/frames.ts";
-import {posed, reach, reshaped, turned, type Arm, type Point} from "../../../web/src/model/posing.ts";
+import {posed, reach, reshaped, turnAbout, turned, turnedPart, type Arm, type Point} from "../../../web/src/model/posing.ts";
 
 const unit = (v: number[]) => v.map(one => one / Math.hypot(...v));
 let state = 7;
@@ -96,4 +96,25 @@ test("only the arm that is moved changes, in all of the gesture's poses", () => 
       if (number < 12 || number >= 18) assert.equal(frame[number], base[k]![number]);
   const mirror = reshaped({...control, base: base.map(mirrored), mirrored: true}, base[0]!, after);
   assert.ok(size(minus(mirrored(mirror[0]!), after)) < 1e-9, "a flipped gesture is changed as it is seen");
+});
+
+test("a turned part keeps its bones' lengths and their angles to each other; the rest stays", () => {
+  for (let round = 0; round < 50; ++round) {
+    const frame = randomFrame();
+    const turn = turnAbout(direction() as unknown as Point, 2 * random());
+    const after = turnedPart(frame, "leftUpperArm", turn);
+    const at = (of: readonly number[], k: number) => of.slice(3 * k, 3 * k + 3);
+    const dot = (p: readonly number[], q: readonly number[]) => p.reduce((sum, one, i) => sum + one * q[i]!, 0);
+    for (const k of [4, 5]) assert.ok(Math.abs(size(at(after, k)) - 1) < 1e-9);
+    assert.ok(Math.abs(dot(at(frame, 4), at(frame, 5)) - dot(at(after, 4), at(after, 5))) < 1e-9, "the elbow is bent as before");
+    for (let number = 0; number < 27; ++number) if (number < 12 || number >= 18) assert.equal(after[number], frame[number]);
+  }
+});
+
+test("a quarter turn about the vertical takes ahead to the left, and back", () => {
+  const ahead = Array.from({length: 9}, () => [0, 0, 1]).flat();
+  const left = turnedPart(ahead, "body", turnAbout([0, 2, 0], Math.PI / 2));
+  for (let k = 0; k < 9; ++k) assert.ok(size(minus(left.slice(3 * k, 3 * k + 3), [1, 0, 0])) < 1e-12);
+  const back = turnedPart(left, "body", turnAbout([0, 1, 0], -Math.PI / 2));
+  assert.ok(size(minus(back, ahead)) < 1e-12);
 });

@@ -1,9 +1,10 @@
 // What is done to controls, the range and the text, each as one edit that can be undone. Where there is no room it says so.
 import type {Draft} from "immer";
 import type {LibraryMotion} from "../api/client.ts";
-import {controlsOf, controlOf, endOf, gapAt, movedTogether, nearestStart, stretched} from "../model/controls.ts";
+import {allControls, controlsOf, controlOf, endOf, gapAt, movedTogether, nearestStart, scaled, stretched} from "../model/controls.ts";
+import {opposite} from "../model/curves.ts";
 import {fps, styleNames, type Control, type Frame, type PoseControl, type StudioDocument, type StyleControl, type StyleName,
-  type StyleValues, type TrackName} from "../model/document.ts";
+  type StyleValue, type StyleValues, type TrackName} from "../model/document.ts";
 import {lengthAtSpeed, secondsOf} from "../model/frames.ts";
 import {seek} from "../playback/player.ts";
 import {complain, say} from "../state/messages.ts";
@@ -33,12 +34,13 @@ export function show(control: Control): void {
   if (!playing.value && control.kind === "pose" && (frame < control.start || frame >= endOf(control))) seek(secondsOf(control.start));
 }
 
-function addPose(label: string, name: string, base: readonly Frame[], length: number, wanted: number): void {
+// One pose, or a movement, in the gap that is nearest to a frame.
+export function addPose(label: string, name: string, base: readonly Frame[], length: number, wanted: number): void {
   const start = roomFor("pose", length, wanted);
   if (start === null) return;
   const id = newId();
   edit(label, draft => {
-    draft.poseControls.push({kind: "pose", id, start, length, name, base: base as number[][], mirrored: false});
+    draft.poseControls.push({kind: "pose", id, start, length, name, base: base as number[][], mirrored: false, rule: null});
   });
   select(id);
   show(controlOf(studioDocument.value, id)!);
@@ -70,7 +72,7 @@ export function addStyle(values: StyleValues): void {
   const start = Math.min(Math.max(wanted, gap.from), gap.to - 1);
   const length = Math.min(range ? range.to - range.from : fps, gap.to - start);
   const id = newId();
-  edit("Add style", draft => { draft.styleControls.push({kind: "style", id, start, length, ...values}); });
+  edit("Add style", draft => { draft.styleControls.push({kind: "style", id, start, length, ...values} as Draft<StyleControl>); });
   select(id);
   say(`Style added at ${(start / fps).toFixed(2)} s.`);
 }
@@ -122,25 +124,47 @@ export function setStart(control: Control, start: number): void {
 
 export const setSpeed = (control: PoseControl, speed: number): void => setLength(control, lengthAtSpeed(control.base.length, speed));
 
-export function flip(): void {
-  const poses = selected.value.filter(control => control.kind === "pose").map(control => control.id);
-  if (poses.length === 0) return;
-  edit("Flip left and right", draft => {
-    for (const control of draft.poseControls) if (poses.includes(control.id)) control.mirrored = !control.mirrored;
+// Left and right change sides: of what is selected, or of all; in styles the handedness.
+export function flip(what: "selected" | "all" = "selected"): void {
+  const all = what === "all";
+  const controls = all ? allControls(studioDocument.value) : selected.value;
+  const ids = new Set(controls.map(control => control.id));
+  if (ids.size === 0) return;
+  edit(all ? "Mirror all controls" : "Flip left and right", draft => {
+    for (const control of draft.poseControls) if (ids.has(control.id)) control.mirrored = !control.mirrored;
+    for (const control of draft.styleControls) if (ids.has(control.id)) control.handedness = opposite(control.handedness) as Draft<StyleValue>;
   });
+  if (all) say(`${ids.size} controls mirrored.`);
 }
 
-export function setStyle(id: string, name: StyleName, value: number | null): void {
+// Times of what is selected, or of all controls, by a factor: about the first one's start, or the speech's.
+export function scaleTimes(factor: number): void {
+  const project = studioDocument.value;
+  const chosen = selected.value.length > 0 ? selected.value : allControls(project);
+  const ids = new Set(chosen.map(control => control.id));
+  const from = selected.value.length > 0 ? Math.min(...chosen.map(control => control.start)) : 0;
+  const [poses, styles] = [scaled(project.poseControls, ids, factor, from, totalFrames.value), scaled(project.styleControls, ids, factor, from, totalFrames.value)];
+  if (!poses || !styles) {
+    complain(`At ${Math.round(100 * factor)} % they would meet other controls or the speech's end.`);
+    return;
+  }
+  edit(`Scale times to ${Math.round(100 * factor)} %`, draft => {
+    for (const control of [...draft.poseControls, ...draft.styleControls]) Object.assign(control, poses.get(control.id) ?? styles.get(control.id));
+  });
+  say(`Times scaled to ${Math.round(100 * factor)} %.`);
+}
+
+export function setStyle(id: string, name: StyleName, value: StyleValue): void {
   edit(`Change ${name}`, draft => {
     const control = draft.styleControls.find(one => one.id === id);
-    if (control) control[name] = value;
+    if (control) control[name] = value as Draft<StyleValue>;
   }, value === null ? null : `style ${id} ${name}`);
 }
 
 export function setStyles(id: string, values: StyleValues, label: string): void {
   edit(label, draft => {
     const control = draft.styleControls.find(one => one.id === id);
-    if (control) for (const name of styleNames) control[name] = values[name];
+    if (control) for (const name of styleNames) control[name] = values[name] as Draft<StyleValue>;
   });
 }
 

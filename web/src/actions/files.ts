@@ -1,19 +1,23 @@
 // Projects and motion as files that the browser saves and opens.
+import {wordsOf} from "../api/ask.ts";
 import {exportMotion, type MotionFormat} from "../api/client.ts";
 import {emptyDocument, fingerprint} from "../model/document.ts";
 import {fileNameOf, readProject, writeProject} from "../model/project.ts";
 import {base64Of, bytesOf} from "../playback/base64.ts";
 import {pause} from "../playback/player.ts";
 import {complain, say} from "../state/messages.ts";
+import {relaxes} from "../state/server.ts";
 import {busy, edit, logOfEdits, newId, playhead, select, studioDocument} from "../state/store.ts";
 
-function download(content: BlobPart, type: string, name: string): void {
+export function download(content: BlobPart, type: string, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([content], {type}));
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
+
+export const chooseProject = (): void => document.getElementById("project-file")?.click();
 
 export function saveProject(): void {
   const name = fileNameOf(studioDocument.value, "deixis.json");
@@ -31,7 +35,7 @@ export async function openProject(file: File): Promise<void> {
     select();
     say(`${opened.name} opened. Undo brings back what was there before.`);
   } catch (problem) {
-    complain(problem instanceof Error ? problem.message : String(problem));
+    complain(wordsOf(problem));
   }
 }
 
@@ -50,11 +54,11 @@ export async function saveMotion(format: MotionFormat): Promise<void> {
   busy.value = "Writing the motion";
   try {
     const name = fileNameOf(project, format);
-    const bytes = await exportMotion({frames: project.motion.frames, duration_s: project.speech.duration_s, format});
+    const bytes = await exportMotion({frames: project.motion.frames, duration_s: project.speech.duration_s, format, ...(relaxes.value !== null && {relaxed_fingers: relaxes.value})});
     download(bytes, "application/octet-stream", name);
     say(`Motion saved as ${name}.` + (project.motion.madeFrom === fingerprint(project) ? "" : " It is the motion last generated: controls have changed since."));
   } catch (problem) {
-    complain(problem instanceof Error ? problem.message : String(problem));
+    complain(wordsOf(problem));
   } finally {
     busy.value = null;
   }

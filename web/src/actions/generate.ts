@@ -1,12 +1,18 @@
 // Generates gestures, for all of the speech or inside the marked range only.
 import {current} from "immer";
-import {generate, ServerError, soundOf, speak, type Generated, type GenerateRequest} from "../api/client.ts";
+import {ServerError, wordsOf} from "../api/ask.ts";
+import {generate, soundOf, speak, type Generated, type GenerateRequest} from "../api/client.ts";
 import {posesOf} from "../model/controls.ts";
-import {fingerprint, fps, frameCountOf, styleNames, type Speech, type StudioDocument, type Word} from "../model/document.ts";
+import {stylePieces} from "../model/curves.ts";
+import {fingerprint, fps, frameCountOf, type Speech, type StudioDocument, type Word} from "../model/document.ts";
 import {following} from "../model/following.ts";
+import {isOfRules} from "../model/rules.ts";
 import {base64Of, bytesOf} from "../playback/base64.ts";
 import {play, warmUp} from "../playback/player.ts";
+import {placedByRules} from "./rule_gestures.ts";
 import {complain, say} from "../state/messages.ts";
+import {loadRules, rules} from "../state/rules.ts";
+import {keepsRules, relaxes, system, takes} from "../state/server.ts";
 import {busy, edit, playhead, studioDocument} from "../state/store.ts";
 
 // What is said and by whom.
@@ -37,17 +43,22 @@ async function spoken(document: StudioDocument): Promise<Kept> {
   return {...saying, id: speech_id, duration_s, words, speech};
 }
 
+// What is chosen, as far as the system takes it.
+function choicesOf({variety, finish}: StudioDocument): Partial<GenerateRequest> {
+  return {...(system.value && {system: system.value.system}), ...(takes("variety") && {variety}),
+    ...(finish.fade && takes("fade") && {fade: true as const}), ...(finish.still && takes("still") && {still: true as const}),
+    ...(relaxes.value !== null && {relaxed_fingers: relaxes.value})};
+}
+
 function controlsFor({poseControls, styleControls, bypass, exact}: StudioDocument): Partial<GenerateRequest> {
   const poses = bypass.pose ? [] : poseControls.map(control => ({start_frame: control.start, frames: posesOf(control)}));
-  const styles = (bypass.style ? [] : styleControls).filter(control => styleNames.some(name => control[name] !== null))
-      .map(control => ({start_frame: control.start, frame_count: control.length,
-        ...Object.fromEntries(styleNames.flatMap(name => control[name] === null ? [] : [[name, control[name]]]))}));
-  return {...(poses.length > 0 && {pose_controls: poses, ...(exact && {exact: true as const})}), ...(styles.length > 0 && {style_controls: styles})};
+  const styles = bypass.style || !takes("style_controls") ? [] : stylePieces(styleControls);
+  return {...(poses.length > 0 && {pose_controls: poses, ...(exact && takes("exact") && {exact: true as const})}), ...(styles.length > 0 && {style_controls: styles})};
 }
 
 // A server that was started anew does not know the speech any more: it is told it again.
 async function answerTo(asked: StudioDocument, id: string, keep: Pick<GenerateRequest, "keep">): Promise<Generated> {
-  const rest = {seed: asked.seed, format: "json" as const, ...controlsFor(asked), ...keep};
+  const rest = {seed: asked.seed, format: "json" as const, ...choicesOf(asked), ...controlsFor(asked), ...keep};
   try {
     return await generate({speech_id: id, ...rest});
   } catch (problem) {
@@ -57,11 +68,15 @@ async function answerTo(asked: StudioDocument, id: string, keep: Pick<GenerateRe
   }
 }
 
-// Controls follow their words into a new speech.
-function carried({speech, poseControls, styleControls}: StudioDocument, next: {readonly words: readonly Word[]; readonly duration_s: number}) {
-  if (!speech || speech === next) return {poseControls, styleControls};
+// Controls follow their words into a new speech. Those of rules are put anew, where rules put them each time.
+function carried({speech, poseControls, styleControls, seed}: StudioDocument, next: {readonly words: readonly Word[]; readonly duration_s: number}, ruled: boolean) {
+  const bare = ruled ? poseControls.filter(control => !isOfRules(control)) : poseControls;
   const total = frameCountOf(next.duration_s);
-  return {poseControls: following(poseControls, speech, next, total), styleControls: following(styleControls, speech, next, total)};
+  const stays = !speech || speech === next;
+  const poses = stays ? bare : following(bare, speech, next, total);
+  const styles = stays ? styleControls : following(styleControls, speech, next, total);
+  const lost = bare.length - poses.length + styleControls.length - styles.length;
+  return {controls: {poseControls: ruled ? placedByRules({poseControls: poses, seed}, next).controls : poses, styleControls: styles}, lost};
 }
 
 const inWords = (count: number) => count === 1 ? "1 control" : `${count} controls`;
@@ -75,6 +90,10 @@ export async function generateGestures(within: "all" | "range"): Promise<void> {
     return;
   }
   const {motion, range} = document;
+  if (within === "range" && !takes("keep")) {
+    complain("Keyframes are made as a whole: there is no range only.");
+    return;
+  }
   const partly = within === "range" && motion !== null && range !== null && sameSpeech(document);
   if (within === "range" && !partly) {
     complain("Mark a range of the generated motion first: drag over the sound or the words.");
@@ -83,33 +102,35 @@ export async function generateGestures(within: "all" | "range"): Promise<void> {
   busy.value = partly ? "Generating the marked range" : "Generating gestures";
   try {
     warmUp();
+    const ruled = !partly && document.byRules && keepsRules.value;
+    if (ruled && !rules.value) await loadRules();
     if (!kept || !same(kept, sayingOf(document))) kept = await spoken(document);
     const {speech: coming} = kept;
     const next = sameSpeech(document) ? document.speech! : kept;
     const total = frameCountOf(next.duration_s);
-    const asked = {...document, ...carried(document, next)};
+    const asked = {...document, ...carried(document, next, ruled).controls};
     const answer = await answerTo(asked, kept.id, partly ? {keep: {frames: motion.frames, from_frame: range.from, to_frame: range.to}} : {});
     if (answer.frames.length !== total) throw new Error(`The server answered ${answer.frames.length} frames for a speech of ${total}.`);
-    const lost = put(asked, sameSpeech(document) ? document.speech! : await coming, answer, partly ? "Generate the marked range" : "Generate");
+    const lost = put(asked, sameSpeech(document) ? document.speech! : await coming, answer, partly ? "Generate the marked range" : "Generate", ruled);
     say(lost > 0 ? `Gestures are ready. ${inWords(lost)} had no room in the new speech; undo brings back what was before.` : "Gestures are ready.");
     playhead.value = partly ? range.from / fps : 0;
     void play();
   } catch (problem) {
-    complain(problem instanceof Error ? problem.message : String(problem));
+    complain(wordsOf(problem));
   } finally {
     busy.value = null;
   }
 }
 
 // How many controls did not fit any more. What was edited meanwhile stays.
-function put(asked: StudioDocument, speech: Speech, answer: Generated, label: string): number {
+function put(asked: StudioDocument, speech: Speech, answer: Generated, label: string, ruled: boolean): number {
   let lost = 0;
   edit(label, draft => {
     const total = frameCountOf(speech.duration_s);
-    const before = draft.poseControls.length + draft.styleControls.length;
-    Object.assign(draft, carried(current(draft) as StudioDocument, speech));
+    const after = carried(current(draft) as StudioDocument, speech, ruled);
+    Object.assign(draft, after.controls);
+    ({lost} = after);
     if (speech !== asked.speech) draft.speech = speech as typeof draft.speech;
-    lost = before - draft.poseControls.length - draft.styleControls.length;
     if (draft.range && draft.range.to > total) draft.range = null;
     const {frames, tracks, system, synthetic} = answer;
     draft.motion = {frames, tracks, system, synthetic, madeFrom: fingerprint(asked)} as typeof draft.motion;

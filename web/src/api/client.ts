@@ -1,7 +1,18 @@
 // The server's routes, version 1. What an answer must have is checked here, once.
+import {ask, check, post} from "./ask.ts";
 import {fps, numbersPerFrame, type Accent, type Frame, type Tracks, type Word} from "../model/document.ts";
 
-export interface Health { readonly version: string; readonly systems: readonly string[]; readonly voices: readonly string[]; readonly synthetic: boolean }
+export interface Voice { readonly name: string; readonly language: string | null }
+
+// One way of making gestures, and which of the request's fields it takes.
+export interface System { readonly system: string; readonly takes: readonly string[] }
+
+export interface Health {
+  readonly version: string;
+  readonly voices: readonly Voice[];
+  readonly gestures: readonly System[];  // none: an older server, which has no choice
+  readonly folder: boolean;  // whether it keeps gestures, rules and projects
+}
 
 export interface LibraryMotion {
   readonly id: string;
@@ -16,7 +27,12 @@ export interface GenerateRequest {
   readonly speech_id: string;
   readonly seed: number;
   readonly format: "json";
+  readonly system?: string;
   readonly exact?: true;
+  readonly fade?: true;
+  readonly still?: true;
+  readonly relaxed_fingers?: boolean;
+  readonly variety?: number;
   readonly pose_controls?: readonly {readonly start_frame: number; readonly frames: readonly Frame[]}[];
   readonly style_controls?: readonly {readonly start_frame: number; readonly frame_count: number; readonly speed?: number;
     readonly space?: number; readonly handedness?: number}[];
@@ -42,40 +58,19 @@ export interface Generated {
 
 export type MotionFormat = "bvh" | "glb" | "csv";
 
-// `field`: what of the request was wrong, where the server says so.
-export class ServerError extends Error {
-  readonly status: number;
-  readonly field: string | null;
-  constructor(message: string, status: number, field: string | null) {
-    super(message);
-    this.status = status;
-    this.field = field;
-  }
-}
-
-async function ask(path: string, request: RequestInit = {}): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(path, {...request, credentials: "same-origin"});
-  } catch {
-    throw new ServerError("The studio's server does not answer. Start it again with deixis studio; nothing of your work is lost.", 0, null);
-  }
-  if (response.ok) return response;
-  if (response.status === 401)
-    throw new ServerError("This page may no longer speak to the server. Open the address that deixis studio printed.", 401, null);
-  const answer = await response.json().catch(() => null) as {error?: {message?: string; field?: string | null}} | null;
-  throw new ServerError(answer?.error?.message ?? `The server answered ${response.status} to ${path}.`, response.status, answer?.error?.field ?? null);
-}
-
-const post = (path: string, body: unknown): Promise<Response> =>
-    ask(path, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
-
-function check(holds: boolean, path: string, what: string): void {
-  if (!holds) throw new ServerError(`The server's answer to ${path} lacks ${what}: page and server are of different versions.`, 0, null);
-}
-
+// An older server names its voices only, and says nothing of systems and folders.
 export async function health(): Promise<Health> {
-  return await (await ask("/v1/health")).json() as Health;
+  const answer = await (await ask("/v1/health")).json() as {version: string; voices?: (string | {name: string; language?: string})[];
+    gestures?: System[]; folder?: boolean};
+  const voices = (answer.voices ?? []).map(one => typeof one === "string" ? {name: one, language: null} : {name: one.name, language: one.language ?? null});
+  return {version: answer.version, voices, gestures: answer.gestures ?? [], folder: answer.folder ?? false};
+}
+
+// The routes that the server's own document lists, as "GET /v1/motions/{}".
+export async function routes(): Promise<Set<string>> {
+  const {paths} = await (await ask("/v1/openapi.json")).json() as {paths?: Record<string, Record<string, unknown>>};
+  return new Set(Object.entries(paths ?? {}).flatMap(([path, methods]) =>
+      Object.keys(methods).map(method => `${method.toUpperCase()} ${path.replace(/\{[^}]*\}/g, "{}")}`)));
 }
 
 export async function generate(request: GenerateRequest): Promise<Generated> {
@@ -111,18 +106,21 @@ export async function soundOf(path: string): Promise<ArrayBuffer> {
   return (await ask(path)).arrayBuffer();
 }
 
-export async function motions(): Promise<LibraryMotion[]> {
-  const {motions: all} = await (await ask("/v1/motions")).json() as {motions: LibraryMotion[]};
+// A file in the server's folder that cannot be read, and why. The others are there.
+export interface Damaged { readonly file: string; readonly problem: string }
+
+export async function motions(): Promise<{motions: LibraryMotion[]; damaged: readonly Damaged[]}> {
+  const {motions: all, damaged = []} = await (await ask("/v1/motions")).json() as {motions: LibraryMotion[]; damaged?: Damaged[]};
   check(Array.isArray(all) && all.every(one => one.id && one.name && one.frames?.length > 0), "/v1/motions", "motions");
-  return all;
+  return {motions: all, damaged};
 }
 
-export async function tracksOf(frames: readonly Frame[]): Promise<Tracks> {
-  const {tracks} = await (await post("/v1/tracks", {frames})).json() as {tracks: Tracks};
+export async function tracksOf(frames: readonly Frame[], relaxed: boolean | null = null): Promise<Tracks> {
+  const {tracks} = await (await post("/v1/tracks", {frames, ...(relaxed !== null && {relaxed_fingers: relaxed})})).json() as {tracks: Tracks};
   check(tracks?.rotations?.length === frames.length && tracks.rotations.every(row => row.length === 4 * tracks.bones.length), "/v1/tracks", "tracks");
   return tracks;
 }
 
-export async function exportMotion(request: {frames: readonly Frame[]; duration_s: number; format: MotionFormat}): Promise<ArrayBuffer> {
+export async function exportMotion(request: {frames: readonly Frame[]; duration_s: number; format: MotionFormat; relaxed_fingers?: boolean}): Promise<ArrayBuffer> {
   return (await post("/v1/export", request)).arrayBuffer();
 }

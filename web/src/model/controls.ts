@@ -1,6 +1,7 @@
 // Controls on a track, as pure functions of lists. The rule for overlaps: there are none. What is moved, stretched or added
 // keeps clear of the others: it stops at them, or goes into the nearest gap that has room.
-import {fps, frameCount, type Control, type PoseControl, type Span, type StudioDocument, type StyleControl, type TrackName} from "./document.ts";
+import {fps, frameCount, type Control, type PoseControl, type Span, type StudioDocument, type StyleControl, type StyleValue, type TrackName} from "./document.ts";
+import {isCurve} from "./curves.ts";
 import {mirrored, resampled} from "./frames.ts";
 
 interface Gap { readonly from: number; readonly to: number }
@@ -90,7 +91,7 @@ export function fitting<T extends Control>(controls: readonly T[], total: number
   });
 }
 
-const value = (number: number | null) => number === null ? "free" : number.toFixed(1);
+const value = (one: StyleValue) => one === null ? "free" : isCurve(one) ? `a curve from ${one[0]!.value.toFixed(1)} to ${one.at(-1)!.value.toFixed(1)}` : one.toFixed(1);
 export const styleWords = (control: StyleControl): string =>
     `speed ${value(control.speed)}, space ${value(control.space)}, handedness ${value(control.handedness)}`;
 
@@ -98,6 +99,16 @@ export const nameOf = (control: Control): string => control.kind === "pose" ? co
 
 export const spanWords = (span: Span): string =>
     `${(span.start / fps).toFixed(2)} to ${(endOf(span) / fps).toFixed(2)} s`;
+
+// All of them, or those chosen, farther from or nearer to a frame, longer or shorter alike; null where they would meet
+// others or the speech's end. None becomes shorter than a frame.
+export function scaled(spans: readonly Span[], ids: ReadonlySet<string>, factor: number, from: number, total: number): Map<string, Span> | null {
+  const to = (frame: number) => Math.round(from + (frame - from) * factor);
+  const changed = spans.map(span => ids.has(span.id) ? {...span, start: to(span.start), length: Math.max(1, to(endOf(span)) - to(span.start))} : span);
+  const ordered = inOrder(changed);
+  const clear = ordered.every((span, k) => span.start >= 0 && endOf(span) <= (ordered[k + 1]?.start ?? total));
+  return clear ? new Map(changed.filter(span => ids.has(span.id)).map(span => [span.id, {id: span.id, start: span.start, length: span.length}])) : null;
+}
 
 // Whether there is a gap for something of that length.
 export const hasRoom = (document: StudioDocument, track: TrackName, length: number): boolean =>

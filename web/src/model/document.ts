@@ -46,14 +46,19 @@ export interface PoseControl extends Span {
   readonly name: string;
   readonly base: readonly Frame[];  // as it was taken; shown at its own length, resampled
   readonly mirrored: boolean;
+  readonly rule: string | null;  // put by a rule; markOf() says whether it was changed since
 }
 
 export const styleNames = ["speed", "space", "handedness"] as const;
 export type StyleName = typeof styleNames[number];
 export const styleLimit = 3;
 
+// `at`: a share of the control, 0 to 1. In order; straight lines between.
+export interface CurvePoint { readonly at: number; readonly value: number }
+
 // null leaves a style to the model; 0 is a value.
-export type StyleValues = { readonly [name in StyleName]: number | null };
+export type StyleValue = number | null | readonly CurvePoint[];
+export type StyleValues = { readonly [name in StyleName]: StyleValue };
 
 export interface StyleControl extends Span, StyleValues { readonly kind: "style" }
 
@@ -65,6 +70,13 @@ export interface Range { readonly from: number; readonly to: number }
 
 // A speech that somebody recorded: a WAV file in base64, as it was chosen.
 export interface Recording { readonly id: string; readonly name: string; readonly wav: string }
+
+// How a motion is finished, by whatever system makes it.
+export interface Finish {
+  readonly fade: boolean;  // to the mean pose behind the last word
+  readonly still: boolean;  // quite still where nothing is gestured
+  readonly relaxedFingers: boolean;
+}
 
 export interface StudioDocument {
   readonly name: string;
@@ -79,23 +91,33 @@ export interface StudioDocument {
   readonly range: Range | null;
   readonly bypass: {readonly [track in TrackName]: boolean};  // controls that are there, but not generated with
   readonly exact: boolean;  // posed frames are met exactly
+  readonly system: string | null;  // what makes the gestures; null: the server's first
+  readonly variety: number;  // 0 to 2
+  readonly finish: Finish;
+  readonly byRules: boolean;  // gestures are put by rules whenever all is generated
+  readonly home: string | null;  // the server's project that this is kept as; not in files
 }
 
 export const emptyDocument: StudioDocument = {
   name: "Untitled", text: "", voice: null, recording: null, seed: 1, speech: null, motion: null, poseControls: [], styleControls: [],
   range: null, bypass: {pose: false, style: false}, exact: false,
+  system: null, variety: 0, finish: {fade: false, still: false, relaxedFingers: true}, byRules: false, home: null,
 };
 
 // The last frame lasts to the end of the sound. Answers round durations to a millionth of a second.
 export const frameCountOf = (duration_s: number): number => Math.max(1, Math.ceil(duration_s * fps - 5e-5));
 export const frameCount = (document: StudioDocument): number => document.speech ? frameCountOf(document.speech.duration_s) : 0;
 
+// As projects of before there was a choice.
+const isUsual = (choice: unknown): boolean =>
+    JSON.stringify(choice) === JSON.stringify([emptyDocument.system, emptyDocument.variety, emptyDocument.finish]);
+
 // Whether the motion is of these controls: a short word that differs (almost certainly) where they do.
 export function fingerprint(document: StudioDocument): string {
-  const bare = (control: Control) => ({...control, id: "", name: ""});
-  const {text, voice, recording, seed, exact, bypass, poseControls, styleControls} = document;
+  const bare = (control: Control) => ({...control, id: "", name: "", rule: undefined});
+  const {text, voice, recording, seed, exact, system, variety, finish, bypass, poseControls, styleControls} = document;
   const made = JSON.stringify([text.trim(), voice, recording?.id ?? null, seed, exact, bypass.pose ? [] : poseControls.map(bare),
-    bypass.style ? [] : styleControls.map(bare)]);
+    bypass.style ? [] : styleControls.map(bare), ...isUsual([system, variety, finish]) ? [] : [system, variety, finish]]);
   let hash = 0x811c9dc5;
   for (let k = 0; k < made.length; ++k) hash = Math.imul(hash ^ made.charCodeAt(k), 0x01000193);
   return `${(hash >>> 0).toString(16)}-${made.length}`;

@@ -8,6 +8,15 @@ export type Handle = "leftWrist" | "rightWrist" | "leftElbow" | "rightElbow" | "
 // Where an arm's joints are, in metres of the avatar.
 export interface Arm { readonly shoulder: Point; readonly elbow: Point; readonly wrist: Point }
 
+// What is turned as one, with all that hangs on it.
+export const parts = ["body", "head", "rightShoulder", "rightUpperArm", "rightForearm", "leftShoulder", "leftUpperArm", "leftForearm"] as const;
+export type Part = typeof parts[number];
+const bonesOfPart: Record<Part, readonly number[]> = {body: [0, 1, 2, 3, 4, 5, 6, 7, 8], head: [1, 2], leftShoulder: [3, 4, 5], leftUpperArm: [4, 5],
+  leftForearm: [5], rightShoulder: [6, 7, 8], rightUpperArm: [7, 8], rightForearm: [8]};
+
+// A unit quaternion.
+export type Turn = readonly [x: number, y: number, z: number, w: number];
+
 const plus = (a: Point, b: Point, t = 1): Point => [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]];
 const minus = (a: Point, b: Point): Point => plus(a, b, -1);
 const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -38,6 +47,18 @@ export function turned(v: Point, from: Point, to: Point): Point {
   return plus(plus(plus([0, 0, 0], v, cosine), cross(axis, v)), axis, dot(axis, v) / (1 + cosine));
 }
 
+const rotated = (v: Point, [x, y, z, w]: Turn): Point => {
+  const q: Point = [x, y, z];
+  const t = cross(q, v);
+  return plus(plus(v, t, 2 * w), cross(q, t), 2);
+};
+
+export const turnAbout = (axis: Point, angle: number): Turn => {
+  const [x, y, z] = unit(axis);
+  const half = Math.sin(angle / 2);
+  return [half * x, half * y, half * z, Math.cos(angle / 2)];
+};
+
 const bone = (frame: Frame, k: number): Point => [frame[3 * k]!, frame[3 * k + 1]!, frame[3 * k + 2]!];
 
 function withBones(frame: Frame, bones: Readonly<Record<number, Point>>): Frame {
@@ -59,6 +80,10 @@ export function posed(frame: Frame, handle: Handle, target: Point, arm: Arm | nu
   const {upper: first, fore} = reach(arm, target);
   return withBones(frame, {[upper]: first, [upper + 1]: fore});
 }
+
+// The pose after a part is turned about its joint: the bones keep their lengths, and their places to each other.
+export const turnedPart = (frame: Frame, part: Part, turn: Turn): Frame =>
+    withBones(frame, Object.fromEntries(bonesOfPart[part].map(k => [k, unit(rotated(bone(frame, k), turn), bone(frame, k))])));
 
 // A gesture changed at one of its poses: what turned there turns alike in all of them, so that it stays one movement.
 export function reshaped(control: PoseControl, before: Frame, after: Frame): readonly Frame[] {

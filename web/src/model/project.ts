@@ -1,19 +1,21 @@
 // A project as one JSON file, with a version. What is read is checked as a stranger's: a message says what is wrong with it.
-import {emptyDocument, fps, frameCountOf, fingerprint, numbersPerFrame, styleLimit, styleNames, type PoseControl, type Range,
-  type Recording, type Speech, type StudioDocument, type StyleControl} from "./document.ts";
+import {emptyDocument, fps, frameCountOf, fingerprint, numbersPerFrame, styleLimit, styleNames, type Finish, type PoseControl, type Range,
+  type Recording, type Speech, type StudioDocument, type StyleControl, type StyleValue, type StyleValues} from "./document.ts";
 import {endOf, inOrder} from "./controls.ts";
 import {isFrame} from "./frames.ts";
 
 const format = "deixis-studio";
-const version = 1;
+const version = 2;  // 1 had no curves, systems, options and rules
 
 export interface LogLine { readonly at: string; readonly kind: string; readonly label: string }
 
 export class ProjectError extends Error {}
 
-export function writeProject(document: StudioDocument, log: readonly LogLine[]): string {
-  return JSON.stringify({format, version, fps, document, log});
+// As an object of JSON.
+export function projectFile({home: _, ...document}: StudioDocument, log: readonly LogLine[]): object {
+  return {format, version, fps, document, log};
 }
+export const writeProject = (document: StudioDocument, log: readonly LogLine[]): string => JSON.stringify(projectFile(document, log));
 
 const wrong = (where: string, expected: string): never => {
   throw new ProjectError(`This project cannot be opened: ${where} should be ${expected}.`);
@@ -92,8 +94,18 @@ function poseControlsOf(value: unknown, total: number): PoseControl[] {
     const base = frames(one.base, `${where}'s frames`);
     if (base.length === 0) wrong(`${where}'s frames`, "one frame at least");
     return {kind: "pose" as const, ...spanOf(one, where, total), name: text(one.name, `${where}'s name`), base,
-      mirrored: flag(one.mirrored, `${where}'s 'mirrored'`)};
+      mirrored: flag(one.mirrored, `${where}'s 'mirrored'`), rule: one.rule === undefined ? null : textOrNull(one.rule, `${where}'s rule`)};
   }), "the pose controls");
+}
+
+function styleValueOf(value: unknown, where: string): StyleValue {
+  if (value === null || !Array.isArray(value)) return value === null ? null : number(value, where, -styleLimit, styleLimit);
+  const points = value.map((point, k) => {
+    const one = fields(point, `${where}, point ${k + 1}`);
+    return {at: number(one.at, `${where}, point ${k + 1}'s place`, 0, 1), value: number(one.value, `${where}, point ${k + 1}`, -styleLimit, styleLimit)};
+  });
+  if (points.length < 2 || points.some((point, k) => k > 0 && point.at <= points[k - 1]!.at)) wrong(where, "a number, null, or points in order");
+  return points;
 }
 
 function styleControlsOf(value: unknown, total: number): StyleControl[] {
@@ -101,8 +113,8 @@ function styleControlsOf(value: unknown, total: number): StyleControl[] {
     const where = `style control ${k + 1}`;
     const one = fields(control, where);
     const values = Object.fromEntries(styleNames.map(name =>
-        [name, one[name] === null ? null : number(one[name], `${where}'s ${name}`, -styleLimit, styleLimit)]));
-    return {kind: "style" as const, ...spanOf(one, where, total), ...values as {speed: number; space: number; handedness: number}};
+        [name, styleValueOf(one[name], `${where}'s ${name}`)])) as unknown as StyleValues;
+    return {kind: "style" as const, ...spanOf(one, where, total), ...values};
   }), "the style controls");
 }
 
@@ -119,6 +131,12 @@ function recordingOf(value: unknown): Recording | null {
   return {id: text(one.id, "the recording's id"), name: text(one.name, "the recording's name"), wav: text(one.wav, "the recording's sound")};
 }
 
+function finishOf(value: unknown): Finish {
+  const one = fields(value, "the options");
+  return {fade: flag(one.fade, "whether it fades"), still: flag(one.still, "whether it is still"),
+    relaxedFingers: flag(one.relaxedFingers, "whether fingers are relaxed")};
+}
+
 // Throws a ProjectError.
 export function readProject(json: string): StudioDocument {
   let parsed: unknown;
@@ -127,6 +145,11 @@ export function readProject(json: string): StudioDocument {
   } catch {
     throw new ProjectError("This file is not a project of the studio: it is not JSON.");
   }
+  return projectOf(parsed);
+}
+
+// Of JSON that is read already. Throws a ProjectError.
+export function projectOf(parsed: unknown): StudioDocument {
   const file = typeof parsed === "object" && parsed !== null ? parsed as Fields : {};
   if (file.format !== format) throw new ProjectError("This file is not a project of the studio.");
   if (typeof file.version !== "number" || file.version > version)
@@ -142,7 +165,9 @@ export function readProject(json: string): StudioDocument {
     recording: recordingOf(one.recording), seed: whole(one.seed, "the seed", 0), speech, motion, poseControls: poseControlsOf(one.poseControls, total),
     styleControls: styleControlsOf(one.styleControls, total), range: rangeOf(one.range, total),
     bypass: {pose: flag(bypass.pose, "the poses' bypass"), style: flag(bypass.style, "the styles' bypass")},
-    exact: flag(one.exact, "whether poses are met exactly")};
+    exact: flag(one.exact, "whether poses are met exactly"),
+    ...(file.version >= 2 && {system: textOrNull(one.system, "the system"), variety: number(one.variety, "the variety", 0, 2),
+      finish: finishOf(one.finish), byRules: flag(one.byRules, "whether rules put gestures")})};
 }
 
 // A name that any file system takes.

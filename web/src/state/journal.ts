@@ -1,7 +1,7 @@
 // The steps since the project was begun, kept by the browser as they are done: a reload, a crash or a server that has gone
 // loses none of them. One window keeps them; a second one is told.
 import {advanced, startOf, type History, type Step} from "../model/history.ts";
-import type {StudioDocument} from "../model/document.ts";
+import {emptyDocument, type StudioDocument} from "../model/document.ts";
 import {history, onStep} from "./store.ts";
 import {complain} from "./messages.ts";
 
@@ -36,7 +36,7 @@ function isOnlyWindow(): Promise<boolean> {
 
 function restored(base: StudioDocument | undefined, steps: readonly Step[]): History | null {
   if (!base) return null;
-  let state = startOf(base);
+  let state = startOf({...emptyDocument, ...base});  // an older page kept less
   for (const step of steps) state = advanced(state, step);
   return state;
 }

@@ -5,6 +5,8 @@ import {posesOf} from "../model/controls.ts";
 import {fps, type Frame, type PoseControl, type Tracks} from "../model/document.ts";
 import {calm} from "./screen.ts";
 import {draftTracks, inHand} from "./posing.ts";
+import {relaxes} from "./server.ts";
+import {ball, pointedTracks} from "./stage.ts";
 import {playhead, playing} from "./store.ts";
 
 export interface Preview { readonly name: string; readonly tracks: Tracks; readonly time_s: number }
@@ -25,13 +27,15 @@ function fingerprintOf(control: PoseControl): string {
 // By what they are made from. A failed one is not asked for again: the avatar then goes on with its motion.
 const known = signal<ReadonlyMap<string, Tracks | null>>(new Map());
 
-function wanted(key: string, frames: () => readonly Frame[]): Tracks | null {
+function wanted(what: string, frames: () => readonly Frame[]): Tracks | null {
+  const relaxed = relaxes.value;
+  const key = `${what}${relaxed === false ? " stretched" : ""}`;
   const tracks = known.value.get(key);
   if (tracks !== undefined) return tracks;
   untracked(() => {
     const put = (made: Tracks | null) => { known.value = new Map(known.value).set(key, made); };
     put(null);
-    void tracksOf(frames()).then(put, () => {});
+    void tracksOf(frames(), relaxed).then(put, () => {});
   });
   return null;
 }
@@ -42,9 +46,11 @@ export const preview = computed((): Preview | null => {
     const tracks = wanted(`library ${motion.id}`, () => motion.frames);
     if (tracks) return {name: motion.name, tracks, time_s: elapsed_s.value % (motion.frames.length / fps + rest_s)};
   }
+  if (ball.value && pointedTracks.value && !playing.value) return {name: "Pointing at the ball", tracks: pointedTracks.value, time_s: 0};
   if (!inHand.value) return null;
-  if (draftTracks.value) return {name: inHand.value.control.name, tracks: draftTracks.value, time_s: 0};
   const {control} = inHand.value;
+  if (draftTracks.value) return {name: control?.name ?? "Tried pose", tracks: draftTracks.value, time_s: 0};
+  if (!control) return null;
   const tracks = wanted(`control ${fingerprintOf(control)}`, () => posesOf(control));
   return tracks && {name: control.name, tracks, time_s: (Math.floor(playhead.value * fps + 1e-6) - control.start) / fps};
 });

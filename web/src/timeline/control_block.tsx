@@ -1,9 +1,11 @@
 // One control on its track: a button that is dragged, stretched at its ends, and worked by keyboard.
 import {nameOf, posesOf, spanWords, styleWords} from "../model/controls.ts";
 import {styleLimit, styleNames, type Control, type StyleControl} from "../model/document.ts";
+import {isCurve} from "../model/curves.ts";
 import {nextBorder} from "../model/snapping.ts";
 import {move, show, stretch} from "../actions/editing.ts";
 import {select, selection, studioDocument} from "../state/store.ts";
+import {curveLine} from "../ui/curve_editor.tsx";
 import {Figure} from "../ui/figure.tsx";
 import {dragControl, dragged} from "./dragging.ts";
 import {xOfFrame} from "./scale.ts";
@@ -16,8 +18,9 @@ function StyleBars({control}: {control: StyleControl}) {
       const value = control[name];
       return <span class={value === null ? "bar free" : "bar"} key={name}>
         <span class="bar-name">{name === "handedness" ? "hand" : name}</span>
-        <span class="bar-value">{value === null ? "–" : (value > 0 ? "+" : "") + value.toFixed(1)}</span>
-        {value !== null && <span class="bar-fill" style={{width: `${50 * Math.abs(value) / styleLimit}%`,
+        {isCurve(value) ? <svg class="bar-curve" viewBox="0 0 100 100" preserveAspectRatio="none"><polyline points={curveLine(value)} /></svg> :
+          <span class="bar-value">{value === null ? "–" : (value > 0 ? "+" : "") + value.toFixed(1)}</span>}
+        {typeof value === "number" && <span class="bar-fill" style={{width: `${50 * Math.abs(value) / styleLimit}%`,
           left: value < 0 ? `${50 - 50 * Math.abs(value) / styleLimit}%` : "50%"}} />}
       </span>;
     })}

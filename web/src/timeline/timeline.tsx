@@ -3,6 +3,7 @@ import {useSignalEffect} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {controlsOf} from "../model/controls.ts";
 import type {TrackName} from "../model/document.ts";
+import {isManual} from "../state/server.ts";
 import {duration, edit, playhead, playing, studioDocument, zoom} from "../state/store.ts";
 import {ControlTrack} from "./control_track.tsx";
 import {Cursor, RangeBand, Ruler} from "./ruler.tsx";
@@ -61,7 +62,7 @@ function Tracks() {
       <SoundRow />
       <WordsRow />
       <ControlTrack track="pose" />
-      <ControlTrack track="style" />
+      {!isManual.value && <ControlTrack track="style" />}
       <RangeBand />
       <Cursor />
     </div>
@@ -73,10 +74,10 @@ export function Timeline() {
   return <section class="timeline" aria-label="Timeline">
     <Transport />
     {none ? <p class="timeline-empty">The speech, its words and your controls appear here once you press Generate.</p> :
-      <div class="lanes">
+      <div class={isManual.value ? "lanes manual" : "lanes"}>
         <div class="lane-names">
           {["", "Sound", "Words"].map(name => <span class="lane-name" key={name} aria-hidden="true">{name}</span>)}
-          <Bypass track="pose" name="Poses" /><Bypass track="style" name="Style" />
+          <Bypass track="pose" name="Poses" />{!isManual.value && <Bypass track="style" name="Style" />}
         </div>
         <Tracks />
       </div>}

@@ -1,8 +1,10 @@
 // The row above the tracks: playing, times, marking, zoom.
 import {useRef} from "preact/hooks";
 import {addShown, mark, unmark} from "../actions/editing.ts";
+import {dropTried, tryShown} from "../actions/trying.ts";
 import {secondsOf} from "../model/frames.ts";
 import {seek, toggle} from "../playback/player.ts";
+import {trial} from "../state/posing.ts";
 import {duration, looping, muted, playhead, playheadFrame, playing, snapping, studioDocument, totalFrames, zoom} from "../state/store.ts";
 import {IconButton} from "../ui/icon_button.tsx";
 import {useLiveEffect} from "../ui/live_effect.ts";
@@ -49,6 +51,8 @@ export function Transport() {
     <span class="divider" />
     <IconButton icon="pin" name={range ? "Keep the marked range's motion as a pose control" : "Keep the pose at the playhead as a pose control"} keys="P"
         disabled={!motion} onClick={addShown}>{range ? "Keep range" : "Keep pose"}</IconButton>
+    <IconButton icon="hand" name="Try a pose without keeping it yet" keys="T" pressed={trial.value !== null} disabled={!motion}
+        onClick={() => { if (trial.value) dropTried(); else tryShown(); }}>Try a pose</IconButton>
     <span class="spring" />
     <IconButton icon="magnet" name="Snap to words, accents and ends" keys="N" pressed={snapping.value} onClick={() => { snapping.value = !snapping.value; }} />
     <IconButton icon="minus" name="Zoom out" keys="-" disabled={none || zoom.value <= 1} onClick={() => zoomBy(1 / 1.5)} />

@@ -1,21 +1,32 @@
 // The project: its name, its files, undo and redo.
 import {useEffect, useRef} from "preact/hooks";
-import {newProject, openProject, saveMotion, saveProject, saveSound} from "../actions/files.ts";
+import {chooseProject, newProject, openProject, saveMotion, saveProject, saveSound} from "../actions/files.ts";
+import {saveOnServer} from "../actions/projects.ts";
 import {say} from "../state/messages.ts";
+import {stepTrial} from "../state/posing.ts";
+import {keepsProjects} from "../state/server.ts";
 import {edit, redo, redoable, settle, studioDocument, undo, undoable} from "../state/store.ts";
+import {openProjects} from "./projects_dialog.tsx";
+import {openFilm} from "./film_dialog.tsx";
 import {helpOpen} from "./help.tsx";
 import {IconButton} from "./icon_button.tsx";
 
 export function undoAloud(): void {
+  if (stepTrial(-1)) return;
   const label = undo();
   if (label !== null) say(`Undone: ${label}.`);
 }
 export function redoAloud(): void {
+  if (stepTrial(1)) return;
   const label = redo();
   if (label !== null) say(`Done again: ${label}.`);
 }
 
-export const chooseProject = (): void => document.getElementById("project-file")?.click();
+// Where the project is kept: on the server if it is from there, else as a file.
+export function save(): void {
+  if (keepsProjects.value && studioDocument.value.home !== null) void saveOnServer();
+  else saveProject();
+}
 
 export function Header() {
   const file = useRef<HTMLInputElement>(null);
@@ -31,7 +42,8 @@ export function Header() {
     <div class="header-group" role="group" aria-label="Project">
       <IconButton icon="file" name="New project" onClick={newProject}>New</IconButton>
       <IconButton icon="open" name="Open a project" keys="Ctrl+O" onClick={chooseProject}>Open</IconButton>
-      <IconButton icon="save" name="Save the project" keys="Ctrl+S" onClick={saveProject}>Save</IconButton>
+      <IconButton icon="save" name="Save the project" keys="Ctrl+S" onClick={save}>Save</IconButton>
+      {keepsProjects.value && <IconButton icon="server" name="Projects on the server" onClick={openProjects}>Projects</IconButton>}
       <input ref={file} id="project-file" type="file" accept=".json,application/json" hidden aria-label="Project file" onChange={() => {
         const chosen = file.current?.files?.[0];
         if (chosen) void openProject(chosen);
@@ -47,6 +59,7 @@ export function Header() {
       {(["bvh", "glb", "csv"] as const).map(format => <IconButton key={format} icon="save" name={`Download the motion as ${format.toUpperCase()}`}
           disabled={!motion} onClick={() => void saveMotion(format)}>{format.toUpperCase()}</IconButton>)}
       <IconButton icon="save" name="Download the sound as WAV" disabled={!speech} onClick={saveSound}>WAV</IconButton>
+      <IconButton icon="film" name="Make a film (WebM)" disabled={!motion} onClick={openFilm}>Film</IconButton>
     </div>
     <IconButton icon="help" name="Keys and mouse" keys="?" onClick={() => { helpOpen.value = true; }} />
   </header>;

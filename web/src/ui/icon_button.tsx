@@ -8,13 +8,14 @@ interface Props {
   keys?: string;
   pressed?: boolean;
   disabled?: boolean;
+  tabIndex?: number;
   onClick: () => void;
   children?: ComponentChildren;  // words beside the icon
 }
 
-export function IconButton({icon, name, keys, pressed, disabled, onClick, children}: Props) {
+export function IconButton({icon, name, keys, pressed, disabled, tabIndex, onClick, children}: Props) {
   return <button type="button" class={children ? "button" : "button icon-only"} aria-label={children ? undefined : name} aria-pressed={pressed}
-      title={keys ? `${name} (${keys})` : name} disabled={disabled} onClick={onClick}>
+      title={keys ? `${name} (${keys})` : name} disabled={disabled} tabIndex={tabIndex} onClick={onClick}>
     <Icon name={icon} />{children && <span>{children}</span>}
   </button>;
 }

@@ -2,62 +2,16 @@
 import {useSignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import type {LibraryMotion} from "../api/client.ts";
-import {addGesture} from "../actions/editing.ts";
-import {fps} from "../model/document.ts";
-import {addingSpeed, found, library, libraryProblem, loadLibrary, motionType, searched} from "../state/library.ts";
+import {addingSpeed, found, hasOwn, library, libraryDamaged, libraryProblem, loadLibrary, ownOnly, searched} from "../state/library.ts";
 import {startPreviews} from "../state/preview.ts";
+import {keepsMotions, keepsRules} from "../state/server.ts";
 import {studioDocument} from "../state/store.ts";
-import {Figure} from "./figure.tsx";
+import {DamagedNote} from "./damaged_note.tsx";
+import {IconButton} from "./icon_button.tsx";
 import {Icon} from "./icons.tsx";
-
-// Which tile the arrows lead to: by place, since a row holds as many as there is room for.
-function neighbour(tile: Element, key: string): Element | null {
-  const tiles = [...tile.parentElement!.parentElement!.querySelectorAll(".tile")];
-  const at = tiles.indexOf(tile);
-  if (key === "Home") return tiles[0] ?? null;
-  if (key === "End") return tiles.at(-1) ?? null;
-  if (key === "ArrowLeft" || key === "ArrowRight") return tiles[at + (key === "ArrowLeft" ? -1 : 1)] ?? null;
-  const {left, top} = tile.getBoundingClientRect();
-  const column = tiles.filter(one => Math.abs(one.getBoundingClientRect().left - left) < 2);
-  return key === "ArrowUp" ? column.findLast(one => one.getBoundingClientRect().top < top - 2) ?? null
-      : column.find(one => one.getBoundingClientRect().top > top + 2) ?? null;
-}
-
-// The pose that tells a gesture best: where it is furthest from its first one.
-function keyFrame(motion: LibraryMotion) {
-  const [first] = motion.frames;
-  const far = (frame: readonly number[]) => frame.reduce((sum, number, k) => sum + (number - first![k]!) ** 2, 0);
-  return motion.frames.reduce((best, frame) => far(frame) > far(best) ? frame : best, first!);
-}
-
-interface TileProps { motion: LibraryMotion; tabbable: boolean; usable: boolean; onLook: (motion: LibraryMotion | null) => void; onReach: () => void }
-
-function Tile({motion, tabbable, usable, onLook, onReach}: TileProps) {
-  const key = (event: KeyboardEvent) => {
-    if (!["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End"].includes(event.key)) return;
-    event.preventDefault();
-    event.stopPropagation();
-    (neighbour(event.currentTarget as Element, event.key) as HTMLElement | null)?.focus();
-  };
-  return <li>
-    <button type="button" class="tile" tabIndex={tabbable ? 0 : -1} aria-disabled={!usable} draggable={usable}
-        aria-label={`${motion.name}: ${motion.meaning}. ${usable ? "Add at the playhead" : "Generate first to add it"}`}
-        title={`${motion.meaning} (${motion.class}, ${(motion.frames.length / fps).toFixed(1)} s)`}
-        onClick={() => { if (usable) addGesture(motion, addingSpeed.value); }}
-        onDragStart={event => {
-          event.dataTransfer?.setData(motionType, motion.id);
-          onLook(null);
-        }}
-        onPointerEnter={() => onLook(motion)} onPointerLeave={() => onLook(null)} onBlur={() => onLook(null)} onKeyDown={key}
-        onFocus={event => {
-          onReach();
-          if ((event.currentTarget as Element).matches(":focus-visible")) onLook(motion);
-        }}>
-      <Figure frame={keyFrame(motion)} />
-      <span class="tile-name">{motion.name}</span>
-    </button>
-  </li>;
-}
+import {Tile} from "./library_tile.tsx";
+import {addingOwn} from "./own_gesture_dialog.tsx";
+import {openRules} from "./rules_dialog.tsx";
 
 function Tiles() {
   const pointed = useSignal<LibraryMotion | null>(null);
@@ -66,6 +20,8 @@ function Tiles() {
   const usable = studioDocument.value.speech !== null;
   const shown = found.value;
   const stop = shown.find(motion => motion.id === reached.value) ?? shown[0];
+  if (shown.length === 0 && ownOnly.value && !hasOwn.value)
+    return <p class="note">There is no gesture of your own yet. “Add own” makes one of what the avatar does, or of a file.</p>;
   if (shown.length === 0) return <p class="note">No gesture is called “{searched.value.trim()}”. Try a shorter word, such as “point”.</p>;
   return <ul class="tiles" aria-label="Unit gestures">
     {shown.map(motion => <Tile key={motion.id} motion={motion} tabbable={motion === stop} usable={usable}
@@ -84,6 +40,17 @@ export function LibraryPanel() {
     </div>
     <label class="search"><Icon name="search" /><input type="search" aria-label="Search gestures" placeholder="Search by name or meaning"
         value={searched.value} onInput={event => { searched.value = event.currentTarget.value; }} /></label>
+    {(keepsMotions.value || keepsRules.value) && <div class="library-tools">
+      {keepsMotions.value && <div class="segments" role="group" aria-label="Which gestures">
+        {[false, true].map(own => <button type="button" class="button small" key={String(own)} aria-pressed={ownOnly.value === own}
+            onClick={() => { ownOnly.value = own; }}>{own ? "Own" : "All"}</button>)}
+      </div>}
+      <span class="spring" />
+      {keepsMotions.value && <IconButton icon="plus" name="Add a gesture of your own: the marked range, the shown frame, or a clip in a file"
+          onClick={() => { addingOwn.value = true; }}>Add own</IconButton>}
+      {keepsRules.value && <IconButton icon="rules" name="Rules from words to gestures" onClick={() => void openRules()}>Rules</IconButton>}
+    </div>}
+    <DamagedNote damaged={libraryDamaged.value} />
     <p class="hidden" role="status">{library.value ? `${found.value.length} gestures` : ""}</p>
     {libraryProblem.value !== null ? <p class="note">The library cannot be read: {libraryProblem.value} <button type="button" class="button small"
         onClick={() => void loadLibrary()}>Try again</button></p> : library.value === null ? <p class="note">The library is coming …</p> : <Tiles />}

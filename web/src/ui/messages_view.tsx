@@ -8,6 +8,10 @@ export function Messages() {
   return <div class={shown ? `messages ${shown.kind}` : "messages empty"}>
     <div role="status" aria-live="polite">{words("said")}</div>
     <div role="alert">{words("problem")}</div>
+    {shown?.action && <button type="button" class="button small" onClick={() => {
+      dismiss();
+      shown.action!.run();
+    }}>{shown.action.name}</button>}
     {shown && <IconButton icon="close" name="Close the message" onClick={dismiss} />}
   </div>;
 }

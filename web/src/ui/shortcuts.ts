@@ -1,16 +1,22 @@
 // Keys that work wherever the focus is, except where it types or has a use of its own for them.
 import {addShown, copy, cut, flip, paste, remove, unmark} from "../actions/editing.ts";
-import {saveProject} from "../actions/files.ts";
+import {chooseProject} from "../actions/files.ts";
 import {generateGestures} from "../actions/generate.ts";
+import {toggleBall} from "../actions/pointing.ts";
+import {dropTried, keepTried, tryShown} from "../actions/trying.ts";
 import {allControls} from "../model/controls.ts";
 import {seek, toggle} from "../playback/player.ts";
 import {say} from "../state/messages.ts";
+import {handling, inHand, trial} from "../state/posing.ts";
+import {isManual, points} from "../state/server.ts";
+import {ball, chosenCamera} from "../state/stage.ts";
 import {duration, looping, muted, select, selection, snapping, studioDocument} from "../state/store.ts";
 import {zoomBy} from "../timeline/scale.ts";
 import {markEnd, markStart} from "../timeline/transport.tsx";
-import {chooseProject, redoAloud, undoAloud} from "./header.tsx";
+import {cameras} from "../view/cameras.ts";
+import {redoAloud, save, undoAloud} from "./header.tsx";
 import {helpOpen} from "./help.tsx";
-import {addBlankStyle} from "./inspector.tsx";
+import {addBlankStyle} from "./style_card.tsx";
 
 const types = (element: Element) => element.matches("textarea, select, input:not([type=range])");
 const spoken = () => duration.value > 0;
@@ -19,7 +25,7 @@ const spoken = () => duration.value > 0;
 const commands: Record<string, {run: () => void; typing: boolean}> = {
   "enter": {run: () => void generateGestures("all"), typing: true},
   "shift+enter": {run: () => void generateGestures("range"), typing: true},
-  "s": {run: saveProject, typing: true},
+  "s": {run: save, typing: true},
   "o": {run: chooseProject, typing: true},
   "z": {run: undoAloud, typing: false},
   "shift+z": {run: redoAloud, typing: false},
@@ -31,7 +37,9 @@ const commands: Record<string, {run: () => void; typing: boolean}> = {
 };
 
 function escape(): void {
-  if (selection.value.size > 0) select();
+  if (trial.value) dropTried();
+  else if (ball.value) toggleBall();
+  else if (selection.value.size > 0) select();
   else unmark();
 }
 
@@ -40,9 +48,17 @@ const keys: Record<string, () => void> = {
   "delete": remove,
   "backspace": remove,
   "d": remove,
-  "f": flip,
+  "f": () => flip(),
   "p": addShown,
-  "s": () => { if (spoken()) addBlankStyle(); },
+  "s": () => { if (spoken() && !isManual.value) addBlankStyle(); },
+  "t": tryShown,
+  "k": keepTried,
+  "r": () => { if (inHand.value) handling.value = handling.value === "turn" ? "move" : "turn"; },
+  "b": () => { if (points.value) toggleBall(); },
+  ...Object.fromEntries(cameras.map(([camera, name], k) => [String(k + 1), () => {
+    chosenCamera.value = {camera};
+    say(`Seen from: ${name}.`);
+  }])),
   "i": () => { if (spoken()) markStart(); },
   "o": () => { if (spoken()) markEnd(); },
   "l": () => { looping.value = !looping.value; say(looping.value ? "Repeats." : "Plays once."); },

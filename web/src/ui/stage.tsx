@@ -1,16 +1,19 @@
 // Where the avatar is seen: turned by mouse, by arrow keys, or to one of its sides.
 import {computed, effect, signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
+import {wordsOf} from "../api/ask.ts";
 import {complain} from "../state/messages.ts";
 import {preview} from "../state/preview.ts";
 import {playhead, playing, studioDocument} from "../state/store.ts";
-import type {AvatarView, Side} from "../view/avatar_view.ts";
+import {ball, chosenCamera} from "../state/stage.ts";
+import type {AvatarView} from "../view/avatar_view.ts";
 import {colour, scheme} from "../state/screen.ts";
+import {trial} from "../state/posing.ts";
 import {Handles} from "./handles.tsx";
+import {BallHandle} from "./pointing.tsx";
+import {StageTools, TrialBar} from "./stage_tools.tsx";
 
-const ready = signal<AvatarView | null>(null);
-const sides: readonly (readonly [Side, string])[] = [["front", "Front"], ["left", "Left"], ["right", "Right"], ["top", "Above"]];
-
+export const stageView = signal<AvatarView | null>(null);
 const stepAround = Math.PI / 18;
 
 function turnByKey(event: KeyboardEvent, view: AvatarView | null): void {
@@ -31,7 +34,7 @@ async function start(canvas: HTMLCanvasElement, stopped: () => boolean): Promise
     await view.load("/avatar.glb");
     return view;
   } catch (problem) {
-    complain(`The avatar cannot be shown: ${problem instanceof Error ? problem.message : String(problem)}`);
+    complain(`The avatar cannot be shown: ${wordsOf(problem)}`);
     return null;
   }
 }
@@ -53,7 +56,7 @@ export function Stage() {
     void start(place, () => stopped).then(made => {
       if (!made || stopped) return;
       view.current = made;
-      ready.value = made;
+      stageView.value = made;
       performance.mark("avatar");
       const watch = new ResizeObserver(() => made.setSize(place.clientWidth, place.clientHeight));
       watch.observe(place);
@@ -62,6 +65,8 @@ export function Stage() {
             if (preview.value) made.show(preview.value.tracks, preview.value.time_s);
             else made.show(studioDocument.value.motion?.tracks ?? null, playhead.value, playing.value);
           }),
+          effect(() => made.look(chosenCamera.value.camera)),
+          effect(() => made.showBall(ball.value)),
           effect(() => {
             void scheme.value;
             made.setColours(colour("--wall"), colour("--ground"));
@@ -71,17 +76,17 @@ export function Stage() {
   }, []);
   const {motion} = studioDocument.value;
   return <section class="stage" aria-label="Avatar">
-    <canvas ref={canvas} tabIndex={0} role="application" aria-roledescription="3D view" class={ready.value ? "ready" : ""}
+    <canvas ref={canvas} tabIndex={0} role="application" aria-roledescription="3D view" class={stageView.value ? "ready" : ""}
         aria-label="The avatar. Arrow keys turn the view, plus and minus come closer and go away."
         onKeyDown={event => turnByKey(event, view.current)} />
-    {ready.value && <Handles view={ready.value} />}
-    {!ready.value && <p class="stage-note">The avatar is coming …</p>}
-    <div class="views" role="group" aria-label="View from">
-      {sides.map(([side, name]) => <button type="button" class="button small" key={side} onClick={() => view.current?.look(side)}>{name}</button>)}
-    </div>
+    {stageView.value && <Handles view={stageView.value} />}
+    {!stageView.value && <p class="stage-note">The avatar is coming …</p>}
+    {stageView.value && ball.value && <BallHandle view={stageView.value} />}
+    <StageTools />
     <div class="chips">
       {motion && <p class="made-by">{motion.synthetic ? "Synthetic motion" : "Motion"}{motion.system ? `, made by ${motion.system}` : ""}</p>}
-      <Shown />
+      {!trial.value && <Shown />}
+      <TrialBar />
     </div>
   </section>;
 }

@@ -1,18 +1,20 @@
 // The avatar in its room, drawn when something has changed: the pose, the camera, the size or the colours.
 import {AmbientLight, CircleGeometry, Color, DirectionalLight, Fog, Group, HemisphereLight, Mesh, MeshStandardMaterial, PCFShadowMap,
-  PerspectiveCamera, Scene, Vector3, WebGLRenderer, type Object3D} from "three";
+  PerspectiveCamera, Scene, SphereGeometry, Vector3, WebGLRenderer, type Object3D} from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import {GLTFLoader} from "three/examples/jsm/loaders/GLTFLoader.js";
 import type {Tracks} from "../model/document.ts";
 import type {Point} from "../model/posing.ts";
+import {eyeHeight_m, places, sides, viewOf_deg, type Camera} from "./cameras.ts";
 import {bonesOf, pose} from "./pose.ts";
-
-export type Side = "front" | "left" | "right" | "top";
+import {Turner, type Turning} from "./turner.ts";
 
 // Where the camera looks at, and from which distance: the upper body fills the picture.
 const middle = new Vector3(0, 1.22, 0);
 const distance = 2.5;
-const sides: Record<Side, [number, number, number]> = {front: [0, 0.06, 1], left: [1, 0.06, 0.05], right: [-1, 0.06, 0.05], top: [0, 1, 0.35]};
+const usualView_deg = 32;
+const reach = 0.01;  // whoever looks from a place looks at a point that near, and so turns on the spot
+const ballRadius_m = 0.06;
 
 // Somebody who stands at ease, until there is a motion: the avatar's rest pose spreads its arms.
 const atEase: Tracks = {fps: 15, bones: ["leftUpperArm", "rightUpperArm", "leftLowerArm", "rightLowerArm"], rotations: [[
@@ -21,14 +23,17 @@ const atEase: Tracks = {fps: 15, bones: ["leftUpperArm", "rightUpperArm", "leftL
 export class AvatarView {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(32, 1, 0.05, 40);
+  private readonly camera = new PerspectiveCamera(usualView_deg, 1, 0.05, 40);
   private readonly controls: OrbitControls;
   private readonly floor: Mesh<CircleGeometry, MeshStandardMaterial>;
   private readonly sky = new HemisphereLight();
   private bones = new Map<string, Object3D>();
   private shown: {tracks: Tracks; time_s: number} = {tracks: atEase, time_s: 0};
   private waiting = 0;
-  onDrawn = (): void => {};  // the picture has changed
+  private from: Camera = "front";
+  private turner: Turner | null = null;
+  private readonly ball = new Mesh(new SphereGeometry(ballRadius_m, 32, 16), new MeshStandardMaterial({color: 0xd2542f, roughness: 0.5}));
+  readonly drawn = new Set<() => void>();  // called when the picture has changed
 
   // Throws where the browser has no WebGL 2.
   constructor(private readonly canvas: HTMLCanvasElement) {
@@ -45,7 +50,9 @@ export class AvatarView {
     this.floor = new Mesh(new CircleGeometry(14, 64), new MeshStandardMaterial({roughness: 1}));
     this.floor.rotation.x = -0.5 * Math.PI;
     this.floor.receiveShadow = true;
-    this.scene.add(this.floor, this.lights());
+    this.ball.castShadow = true;
+    this.ball.visible = false;
+    this.scene.add(this.floor, this.lights(), this.ball);
     this.look("front");
   }
 
@@ -104,31 +111,77 @@ export class AvatarView {
     this.draw();
   }
 
-  setSize(width: number, height: number): void {
+  setSize(width: number, height: number, ratio = Math.min(window.devicePixelRatio, 2)): void {
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
+    this.setLens();
+    this.draw();
+  }
+
+  private setLens(): void {
+    this.camera.fov = places[this.from] ? viewOf_deg(this.camera.aspect) : usualView_deg;
     this.camera.updateProjectionMatrix();
+  }
+
+  look(from: Camera): void {
+    this.from = from;
+    const place = places[from];
+    const {controls, camera} = this;
+    controls.minDistance = place ? reach : 0.8;
+    controls.maxDistance = place ? reach : 8;
+    controls.maxPolarAngle = place ? 0.9 * Math.PI : 0.55 * Math.PI;
+    controls.rotateSpeed = place ? -0.4 : 1;
+    if (place) {
+      const heading = place.heading_deg * Math.PI / 180;
+      camera.position.set(place.viewer_m[0], eyeHeight_m, place.viewer_m[1]);
+      controls.target.set(Math.sin(heading), -0.12, Math.cos(heading)).setLength(reach).add(camera.position);
+    } else {
+      controls.target.copy(middle);
+      camera.position.set(...sides[from]!).setLength(distance).add(middle);
+    }
+    this.setLens();
+    controls.update();
     this.draw();
   }
 
-  look(side: Side): void {
-    this.controls.target.copy(middle);
-    this.camera.position.set(...sides[side]).setLength(distance).add(middle);
-    this.controls.update();
-    this.draw();
-  }
-
-  // By keyboard: radians about the avatar and up; `closer` divides the distance.
+  // By keyboard: radians about the avatar and up; `closer` divides the distance. From a participant's place: of the head.
   turn(around: number, up: number, closer = 1): void {
+    const onTheSpot = places[this.from] !== undefined;
+    const fixed = onTheSpot ? this.camera.position.clone() : null;
     const from = this.camera.position.clone().sub(this.controls.target);
     const radius = Math.min(Math.max(from.length() / closer, this.controls.minDistance), this.controls.maxDistance);
-    const polar = Math.min(Math.max(Math.acos(from.y / from.length()) - up, 0.05), this.controls.maxPolarAngle);
-    const azimuth = Math.atan2(from.x, from.z) + around;
-    this.camera.position.set(Math.sin(polar) * Math.sin(azimuth), Math.cos(polar), Math.sin(polar) * Math.cos(azimuth))
-        .multiplyScalar(radius).add(this.controls.target);
+    const way = onTheSpot ? -1 : 1;
+    const polar = Math.min(Math.max(Math.acos(from.y / from.length()) - way * up, 0.05), this.controls.maxPolarAngle);
+    const azimuth = Math.atan2(from.x, from.z) + way * around;
+    from.set(Math.sin(polar) * Math.sin(azimuth), Math.cos(polar), Math.sin(polar) * Math.cos(azimuth)).multiplyScalar(radius);
+    if (fixed) this.controls.target.copy(fixed).sub(from);
+    else this.camera.position.copy(this.controls.target).add(from);
     this.controls.update();
+    this.draw();
+  }
+
+  // As another view looks.
+  lookAs(other: AvatarView): void {
+    this.look(other.from);
+    this.camera.position.copy(other.camera.position);
+    this.controls.target.copy(other.controls.target);
+    this.controls.update();
+  }
+
+  // The ball that is pointed at; null: none.
+  showBall(at: Point | null): void {
+    this.ball.visible = at !== null;
+    if (at) this.ball.position.set(...at);
+    this.draw();
+  }
+
+  // Rings that turn what hangs on a joint; none where `at` is null.
+  showTurner(at: Point | null, turning: Turning | null): void {
+    if (!at && !this.turner) return;
+    this.turner ??= new Turner(this.camera, this.canvas, this.scene, () => this.draw(), held => { this.controls.enabled = !held; });
+    this.turner.show(at, turning);
     this.draw();
   }
 
@@ -167,11 +220,13 @@ export class AvatarView {
     this.waiting = 0;
     this.canvas.dataset.time = this.shown.time_s.toFixed(3);
     this.renderer.render(this.scene, this.camera);
-    this.onDrawn();
+    this.canvas.dataset.turns = this.turner?.part ?? "";
+    for (const listener of this.drawn) listener();
   }
 
   dispose(): void {
     cancelAnimationFrame(this.waiting);
+    this.turner?.dispose();
     this.controls.dispose();
     this.renderer.dispose();
   }
