@@ -38,6 +38,13 @@ Tensor entropyOf(const Tensor& logits, bool real) {
     return torch::binary_cross_entropy_with_logits(logits, torch::full_like(logits, real ? 1.0 : 0.0));
 }
 
+/// Over the elements that are controlled; without controls over all.
+Tensor styleLoss(const Tensor& apart, const Tensor& controls) {
+    if (!controls.defined()) return apart.mean();
+    const Tensor mask = controls.narrow(-1, motion::control_style_mask, 3);
+    return (apart * mask).sum() / mask.sum().clamp_min(1.0);
+}
+
 template <typename Each>
 void forRangesOf(const GestureWindows& windows, const Each& each) {
     for (std::size_t first = 0; first < windows.count(); first += tried_at_once)
@@ -174,12 +181,14 @@ GestureLosses GestureTrainer::update(int number) {
     GestureLosses out;
     if (adversarial) out.discriminator = updateDiscriminator(batch.poses, made);
 
+    const double grown = std::min(1.0, number / (settings_.decay_from * updates()));
     Tensor apart = torch::smooth_l1_loss(made, reference, at::Reduction::None, settings_.huber_limit);
     if (controls.defined())
-        apart = apart * (1.0 + settings_.pose_weight * controls.narrow(-1, motion::control_pose_mask, 1));
+        apart =
+            apart * (1.0 + grown * settings_.pose_weight * controls.narrow(-1, motion::control_pose_mask, 1));
     const Tensor huber = apart.mean();
-    const Tensor style = (stylesOf(made) - styles).abs().mean();
-    Tensor loss = settings_.huber_weight * huber + settings_.style_weight * style;
+    const Tensor style = styleLoss((stylesOf(made) - styles).abs(), controls);
+    Tensor loss = settings_.huber_weight * huber + grown * settings_.style_weight * style;
     if (adversarial) {
         const Tensor gan = entropyOf(discriminator_->forward(made), true);
         loss = loss + settings_.gan_weight * gan;
