@@ -80,7 +80,7 @@ results::Figure epochFigure(const std::string& name, const std::string& caption,
     }
     FigureJson colour{{"field", "line"}, {"type", "nominal"}, {"title", nullptr}};
     colour["scale"] = {{"domain", names}, {"range", colours}};
-    colour["legend"] = {{"orient", "top"}};
+    colour["legend"] = {{"orient", "top"}, {"columns", 2}};
     FigureJson spec{{"width", "container"}, {"height", 220}};
     spec["layer"] = FigureJson::array(
         {results::layerOf(values, {{"type", "line"}, {"point", {{"size", 14}, {"filled", true}}}},
