@@ -24,7 +24,9 @@ AvatarTexture halved(const AvatarTexture& texture) {
     out.rgba.clear();
     const auto at = [&](int x, int y, int channel) -> int {
         const int column = std::min(x, texture.width - 1), row = std::min(y, texture.height - 1);
-        return texture.rgba[static_cast<std::size_t>(4 * (row * texture.width + column) + channel)];
+        const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(texture.width) +
+                           static_cast<std::size_t>(column);
+        return texture.rgba[4 * pixel + static_cast<std::size_t>(channel)];
     };
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
