@@ -318,8 +318,10 @@ void addEvaluateGesturesCommand(Parser evaluate, Command& chosen) {
          .page = "docs/speech-gestures.md"});
     options->weights = assets::dataFile("weights/speech-gestures.weights").string();
     command.addOption("WEIGHTS", options->weights, "Weights of the model [those that ship]");
-    command.addOption("--baseline", options->baseline,
-                      "Weights of a model without controls, trained on the same motions");
+    command
+        .addOption("--baseline", options->baseline,
+                   "Weights of a model without controls, trained on the same motions")
+        .valueName("FILE");
     addCorpusOptions(command, options->source);
     addOutput(command, options->page, "HTML page to write");
     addForce(command, options->force);

@@ -104,14 +104,12 @@ void addClipsAuthorCommand(Parser clips, Command& chosen) {
              {.writes = "a BVH and a WAV file for each project and manifest.csv to DIR, all of them or none.",
               .example = "deixis clips author *.deixis.json --author A1 -o authored",
               .page = "docs/studio.md"});
-    command.addOption("PROJECT", options->projects, "Projects that the studio saved")
-        .required()
-        .expected(1, 10000);
+    command.addOption("PROJECT", options->projects, "Projects that the studio saved").required();
     addOutput(command, options->folder, "Folder for the clips and their manifest", "DIR").required();
     addForce(command, options->force);
     command.addOption("--system", options->system,
                       "Name of the system [MANUAL by keyframes, SGT with poses or styles, else AUTO]");
-    command.addOption("--author", options->author, "Pseudonym of who authored them");
+    command.addOption("--author", options->author, "Pseudonym of who authored them").valueName("NAME");
     command.addOption("--trial", options->trial, "Which of the author's trials they are of")
         .check(Range(1, 100000));
     command.callback([options, &chosen] { chosen = [options] { return authorClips(*options); }; });
