@@ -19,6 +19,7 @@
 #include "core/files.hpp"
 #include "learning/gesture_scores/evaluation.hpp"
 #include "results/gestures/gesture_evaluation.hpp"
+#include "speech/sound/sound.hpp"
 
 namespace deixis::app {
 
@@ -75,9 +76,9 @@ struct NamedTakes {
 
 Result<NamedTakes> takesFrom(CorpusSource source, const std::string& name) {
     source.parts = {speech::CorpusPart::test};
-    const auto corpus = makeOrReadCorpus(source);
+    auto corpus = makeOrReadCorpus(source);
     if (!corpus) return tl::unexpected(corpus.error());
-    NamedTakes out{name, corpus->synthetic, takesOf(*corpus, speech::CorpusPart::test)};
+    NamedTakes out{name, corpus->synthetic, takenFrom(*corpus, speech::CorpusPart::test)};
     if (out.takes.empty())
         return fail(source.folder,
                     "found no takes for the test, expected some in its folder test, or ten takes "
@@ -113,7 +114,7 @@ Result<GestureTestSet> scoreSet(const NamedTakes& set, const LoadedModel& propos
     out.name = set.name;
     out.synthetic = set.synthetic;
     out.speeches = static_cast<int>(set.takes.size());
-    for (const GestureTake& take : set.takes) out.minutes += take.utterance.duration_s / 60.0;
+    out.minutes = minutesOf(set.takes);
     const auto found =
         learning::evaluateGestures(proposed.model, encoder, set.takes, progressOnTerminal(set.name));
     if (!found) return tl::unexpected(found.error());
@@ -210,14 +211,13 @@ class Strips {
     std::optional<Error> problem_;
 };
 
-/// The loudest sample of each of some stretches, over the loudest of all.
+/// From 0 to 1, over the loudest of all.
 std::vector<double> loudnessOver(const std::vector<float>& samples, std::size_t stretches) {
-    std::vector<double> out(stretches, 0.0);
+    std::vector<double> out;
     double most = 1e-6;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        double& here = out[i * stretches / samples.size()];
-        here = std::max(here, static_cast<double>(std::abs(samples[i])));
-        most = std::max(most, here);
+    for (const speech::Peaks& one : speech::envelopeOf({learning::corpus_rate_hz, samples}, stretches)) {
+        out.push_back(0.5 * static_cast<double>(one.high - one.low));
+        most = std::max(most, out.back());
     }
     for (double& one : out) one /= most;
     return out;

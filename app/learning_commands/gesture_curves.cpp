@@ -6,8 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/csv_sheet.hpp"
-#include "core/files.hpp"
+#include "curve_files.hpp"
 #include "results/page/figure.hpp"
 #include "results/page/number_text.hpp"
 #include "results/page/page.hpp"
@@ -16,7 +15,6 @@ namespace deixis::app {
 
 namespace {
 
-namespace fs = std::filesystem;
 using learning::GestureEpoch;
 
 /// The table's columns: visit(name, number) for each.
@@ -93,19 +91,16 @@ results::Figure epochFigure(const std::string& name, const std::string& caption,
 }  // namespace
 
 Result<void> GestureCurves::read() {
-    const fs::path file = weights_file_.string() + ".curves.csv";
-    std::error_code code;
-    if (!fs::exists(file, code)) return {};
-    const auto bytes = readFile(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto sheet = parseCsvSheet(*bytes, file.string());
-    if (!sheet) return tl::unexpected(sheet.error());
-    for (const CsvRecord& row : sheet->rows) {
+    const auto found = readCurveTable(weights_file_);
+    if (!found) return tl::unexpected(found.error());
+    if (!*found) return {};
+    const CsvSheet& sheet = **found;
+    for (const CsvRecord& row : sheet.rows) {
         GestureEpoch epoch;
         std::optional<Error> problem;
         forColumns(epoch, [&](const char* name, auto& value) {
-            const auto column = sheet->column(name);
-            const auto number = column ? sheet->number(row, *column) : tl::unexpected(column.error());
+            const auto column = sheet.column(name);
+            const auto number = column ? sheet.number(row, *column) : tl::unexpected(column.error());
             if (number)
                 value = static_cast<std::remove_reference_t<decltype(value)>>(*number);
             else if (!problem)
@@ -129,8 +124,7 @@ Result<void> GestureCurves::write() const {
         });
         csv += line + "\n";
     }
-    if (const auto written = writeFile(weights_file_.string() + ".curves.csv", csv); !written) return written;
-    return writeFile(weights_file_.string() + ".curves.html", page());
+    return writeCurveFiles(weights_file_, csv, page());
 }
 
 std::string GestureCurves::page() const {

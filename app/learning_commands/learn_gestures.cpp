@@ -42,22 +42,20 @@ std::string scoresText(const GestureScores& scores) {
                        scores.fgd_style_controls);
 }
 
-double minutesOf(const std::vector<learning::GestureTake>& takes) {
-    double seconds = 0.0;
-    for (const auto& take : takes) seconds += take.utterance.duration_s;
-    return seconds / 60.0;
-}
-
 Result<learning::GestureTakes> readTakes(const LearnGesturesArguments& options) {
     CorpusSource source = options.source;
     source.parts = {CorpusPart::training, CorpusPart::validation};
     const auto words = learning::readWinkEmbeddings(options.word_vectors);
     if (!words) return tl::unexpected(words.error());
-    const auto corpus = makeOrReadCorpus(source);
+    auto corpus = makeOrReadCorpus(source);
     if (!corpus) return tl::unexpected(corpus.error());
-    return learning::GestureTakes{takesOf(*corpus, CorpusPart::training),
-                                  takesOf(*corpus, CorpusPart::validation), *words,
-                                  learning::corpusHash(*corpus), corpus->synthetic};
+    learning::GestureTakes out;
+    out.words = *words;
+    out.sha256 = learning::corpusHash(*corpus);
+    out.synthetic = corpus->synthetic;
+    out.training = takenFrom(*corpus, CorpusPart::training);
+    out.validation = takenFrom(*corpus, CorpusPart::validation);
+    return out;
 }
 
 Result<void> learnGestures(const LearnGesturesArguments& options) {

@@ -6,8 +6,7 @@
 #include <cctype>
 #include <vector>
 
-#include "core/csv_sheet.hpp"
-#include "core/files.hpp"
+#include "curve_files.hpp"
 #include "results/page/figure.hpp"
 #include "results/page/number_text.hpp"
 #include "results/page/page.hpp"
@@ -99,20 +98,17 @@ TrainingCurves::TrainingCurves(fs::path weights_file, std::string system)
     : weights_file_(std::move(weights_file)), system_(std::move(system)) {}
 
 Result<void> TrainingCurves::read() {
-    const fs::path file = weights_file_.string() + ".curves.csv";
-    std::error_code code;
-    if (!fs::exists(file, code)) return {};
-    const auto bytes = readFile(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto sheet = parseCsvSheet(*bytes, file.string());
-    if (!sheet) return tl::unexpected(sheet.error());
-    const auto part = sheet->column("part"), update = sheet->column("update"),
-               measure = sheet->column("measure"), value = sheet->column("value");
+    const auto found = readCurveTable(weights_file_);
+    if (!found) return tl::unexpected(found.error());
+    if (!*found) return {};
+    const CsvSheet& sheet = **found;
+    const auto part = sheet.column("part"), update = sheet.column("update"),
+               measure = sheet.column("measure"), value = sheet.column("value");
     for (const auto* column : {&part, &update, &measure, &value})
         if (!*column) return tl::unexpected(column->error());
-    for (const CsvRecord& row : sheet->rows) {
-        const auto at = sheet->number(row, *update, "a whole number", 1e9);
-        const auto number = sheet->number(row, *value);
+    for (const CsvRecord& row : sheet.rows) {
+        const auto at = sheet.number(row, *update, "a whole number", 1e9);
+        const auto number = sheet.number(row, *value);
         for (const auto* read : {&at, &number})
             if (!*read) return tl::unexpected(read->error());
         values_[row.fields[*measure]][row.fields[*part]][static_cast<int>(*at)] = *number;
@@ -139,8 +135,7 @@ Result<void> TrainingCurves::write() const {
         for (const auto& [part, values] : parts)
             for (const auto& [update, value] : values)
                 csv += fmt::format("{},{},{},{}\n", part, update, measure, value);
-    if (const auto written = writeFile(weights_file_.string() + ".curves.csv", csv); !written) return written;
-    return writeFile(weights_file_.string() + ".curves.html", page());
+    return writeCurveFiles(weights_file_, csv, page());
 }
 
 std::string TrainingCurves::page() const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 #include "app/program/progress_line.hpp"
 #include "assets/data/data_paths.hpp"
@@ -74,11 +75,19 @@ Result<learning::Corpus> makeOrReadCorpus(const CorpusSource& source) {
     return source.folder.empty() ? makeCorpus(source) : readFolder(source);
 }
 
-std::vector<learning::GestureTake> takesOf(const learning::Corpus& corpus, speech::CorpusPart part) {
+std::vector<learning::GestureTake> takenFrom(learning::Corpus& corpus, speech::CorpusPart part) {
     std::vector<learning::GestureTake> out;
-    for (const learning::CorpusTake& take : corpus.takes)
-        if (take.part == part) out.push_back({take.samples, take.utterance, take.motion});
+    for (learning::CorpusTake& take : corpus.takes)
+        if (take.part == part)
+            out.push_back({std::move(take.samples), std::move(take.utterance), std::move(take.motion)});
+    std::erase_if(corpus.takes, [part](const learning::CorpusTake& take) { return take.part == part; });
     return out;
+}
+
+double minutesOf(const std::vector<learning::GestureTake>& takes) {
+    double seconds = 0.0;
+    for (const auto& take : takes) seconds += take.utterance.duration_s;
+    return seconds / 60.0;
 }
 
 }  // namespace deixis::app

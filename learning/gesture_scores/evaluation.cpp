@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/pose.hpp"
 #include "motion/upper_body/upper_body_style.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 using motion::Style, motion::UpperBodyMotion, motion::UpperBodyPose;
 
-constexpr std::size_t part_frames = MotionEncoder::frames;
-constexpr std::size_t posed_from = 10, posed_until = 15;  ///< of a part
+constexpr std::size_t part_frames = scored_frames;
+constexpr std::size_t posed_until = posed_first + posed_frames;
 
 std::size_t partsOf(const UpperBodyMotion& motion) {
     return motion.frames.size() / part_frames;
@@ -29,7 +29,7 @@ class Latents {
         : encoder_(encoder), mean_(motion::numbersOf(mean)) {}
 
     void add(const UpperBodyMotion& motion) {
-        motion::MatrixXf poses(motion::upper_body_numbers, MotionEncoder::frames);
+        motion::MatrixXf poses(motion::upper_body_numbers, scored_frames);
         for (std::size_t part = 0; part < partsOf(motion); ++part) {
             for (std::size_t f = 0; f < part_frames; ++f) {
                 const auto numbers = motion::numbersOf(motion.frames[part * part_frames + f]);
@@ -65,11 +65,18 @@ struct Mean {
 template <typename Each>
 void forPosedFrames(const UpperBodyMotion& motion, const Each& each) {
     for (std::size_t part = 0; part < partsOf(motion); ++part)
-        for (std::size_t f = posed_from; f < posed_until; ++f) each(part * part_frames + f);
+        for (std::size_t f = posed_first; f < posed_until; ++f) each(part * part_frames + f);
 }
 
-double angleDeg(const Vec3& a, const Vec3& b) {
-    return degreesFromRadians(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+double offDeg(const Vec3& wanted, const Vec3& made) {
+    return degreesFromRadians(angleBetween(wanted, made));
+}
+
+Result<std::vector<Style>> normalisedStylesOf(const UpperBodyMotion& motion, const motion::StyleNorm& norm) {
+    auto styles = motion::styleOf(motion);
+    if (!styles) return tl::unexpected(styles.error());
+    for (Style& one : *styles) one = motion::normalisedStyle(one, norm);
+    return std::move(*styles);
 }
 
 /// What is asked of the takes, and what came.
@@ -93,27 +100,24 @@ class Scoring {
             const auto a = motion::numbersOf(wanted.frames[f]), b = motion::numbersOf(made.frames[f]);
             for (std::size_t n = 0; n < a.size(); ++n) pcs_.add(std::abs(a[n] - b[n]));
             for (std::size_t bone = 0; bone < motion::upper_bone_count; ++bone)
-                off_deg_.add(angleDeg(wanted.frames[f].directions[bone], made.frames[f].directions[bone]));
+                off_deg_.add(offDeg(wanted.frames[f].directions[bone], made.frames[f].directions[bone]));
         });
     }
     void addExact(const UpperBodyMotion& wanted, const UpperBodyMotion& made) {
         forPosedFrames(wanted, [&](std::size_t f) {
             for (std::size_t bone = 0; bone < motion::upper_bone_count; ++bone)
-                exact_off_deg_ = std::max(exact_off_deg_, angleDeg(wanted.frames[f].directions[bone],
-                                                                   made.frames[f].directions[bone]));
+                exact_off_deg_ = std::max(exact_off_deg_, offDeg(wanted.frames[f].directions[bone],
+                                                                 made.frames[f].directions[bone]));
         });
     }
     Result<void> addStyled(const UpperBodyMotion& wanted, const UpperBodyMotion& made) {
         styled_.add(made);
-        const auto a = motion::styleOf(wanted), b = motion::styleOf(made);
-        if (!a) return tl::unexpected(a.error());
-        if (!b) return tl::unexpected(b.error());
-        const motion::StyleNorm& norm = model_.styleNorm();
-        for (std::size_t f = 0; f < partsOf(wanted) * part_frames; ++f) {
-            const Style of_a = motion::normalisedStyle((*a)[f], norm);
-            const Style of_b = motion::normalisedStyle((*b)[f], norm);
-            for (const double Style::*element : {&Style::speed, &Style::space, &Style::handedness})
-                scs_.add(std::abs(of_a.*element - of_b.*element));
+        const auto looked_at = static_cast<std::ptrdiff_t>(partsOf(wanted) * part_frames);
+        for (const auto& [motion, styles] :
+             {std::pair(&wanted, &wanted_styles_), std::pair(&made, &made_styles_)}) {
+            const auto found = normalisedStylesOf(*motion, model_.styleNorm());
+            if (!found) return tl::unexpected(found.error());
+            styles->insert(styles->end(), found->begin(), found->begin() + looked_at);
         }
         return {};
     }
@@ -130,7 +134,9 @@ class Scoring {
         out.scores.fgd_pose_controls = frechetDistance(held_out, posed_.matrix());
         out.scores.fgd_style_controls = frechetDistance(held_out, styled_.matrix());
         out.scores.pcs = pcs_.value();
-        out.scores.scs = scs_.value();
+        const auto scs = motion::styleCompliance(wanted_styles_, made_styles_);
+        if (!scs) return tl::unexpected(scs.error());
+        out.scores.scs = *scs;
         out.posed_off_deg = off_deg_.value();
         out.exact_off_deg = exact_off_deg_;
         return out;
@@ -139,7 +145,8 @@ class Scoring {
   private:
     const motion::SpeechGestureModel& model_;
     Latents held_out_, plain_, posed_, styled_;
-    Mean pcs_, scs_, off_deg_;
+    Mean pcs_, off_deg_;
+    std::vector<Style> wanted_styles_, made_styles_;  ///< normalised
     double exact_off_deg_ = 0.0;
     int parts_ = 0;
 };
@@ -187,13 +194,10 @@ std::vector<motion::PoseControl> evaluationPoses(const UpperBodyMotion& motion) 
 
 Result<std::vector<motion::StyleControl>> evaluationStyles(const UpperBodyMotion& motion,
                                                            const motion::StyleNorm& norm) {
-    const auto styles = motion::styleOf(motion);
+    const auto styles = normalisedStylesOf(motion, norm);
     if (!styles) return tl::unexpected(styles.error());
     std::vector<motion::StyleControl> out;
-    for (const Style& one : *styles) {
-        const Style normalised = motion::normalisedStyle(one, norm);
-        out.push_back({normalised.speed, normalised.space, normalised.handedness});
-    }
+    for (const Style& one : *styles) out.push_back({one.speed, one.space, one.handedness});
     return out;
 }
 

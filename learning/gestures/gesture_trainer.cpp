@@ -230,7 +230,8 @@ GestureScores GestureTrainer::validate() {
     if (!out.controls) return out;
     const Tensor posed = generated(GivenControls::poses);
     out.fgd_pose_controls = distanceOf(posed);
-    out.pcs = (posed - held_out_).narrow(1, posed_first, posed_frames).abs().mean().item<double>();
+    out.pcs =
+        (posed - held_out_).narrow(1, scored_first + posed_first, posed_frames).abs().mean().item<double>();
     const Tensor styled = generated(GivenControls::styles);
     out.fgd_style_controls = distanceOf(styled);
     out.scs = scoredPart(stylesOf(styled) - stylesOf(held_out_)).abs().mean().item<double>();
@@ -242,7 +243,7 @@ GestureScores GestureTrainer::meanPoseScores() {
     const Tensor still = torch::zeros_like(held_out_);
     GestureScores out;
     out.fgd_no_controls = out.fgd_pose_controls = out.fgd_style_controls = distanceOf(still);
-    out.pcs = held_out_.narrow(1, posed_first, posed_frames).abs().mean().item<double>();
+    out.pcs = held_out_.narrow(1, scored_first + posed_first, posed_frames).abs().mean().item<double>();
     out.scs = scoredPart(stylesOf(still) - stylesOf(held_out_)).abs().mean().item<double>();
     return out;
 }

@@ -132,7 +132,8 @@ motion::StyleNorm normOf(const Tensor& styles) {
 Tensor heldOutControls(const Tensor& poses, const Tensor& styles, GivenControls given) {
     Tensor out = torch::zeros({poses.size(0), poses.size(1), motion::control_numbers});
     for (std::int64_t i = 0; i < poses.size(0); ++i) {
-        if (given == GivenControls::poses) setPoses(out[i], poses[i], posed_first, posed_frames);
+        if (given == GivenControls::poses)
+            setPoses(out[i], poses[i], scored_first + posed_first, posed_frames);
         if (given == GivenControls::styles)
             for (int element = 0; element < 3; ++element) setStyle(out[i], styles[i], element);
     }

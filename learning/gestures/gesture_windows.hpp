@@ -81,10 +81,8 @@ struct ForeignPoses {
 /// Those windows' only poses are the foreign ones.
 void setForeignControls(torch::Tensor& controls, const ForeignPoses& foreign);
 
-/// The 30 frames that a window adds: where the held-out controls' poses stand, and what the scores look at.
+/// Where the frames that a window adds begin: the scores look at them.
 constexpr int scored_first = motion::gesture_window - motion::gesture_overlap;
-constexpr int scored_frames = motion::gesture_overlap;
-constexpr int posed_first = scored_first + 10;
-constexpr int posed_frames = 5;
+static_assert(scored_first + scored_frames == motion::gesture_window);
 
 }  // namespace deixis::learning

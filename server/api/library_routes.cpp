@@ -28,26 +28,26 @@ Shape motionShape() {
                         mustField("duration_s", numberShape("", 0.0)), mustField("frames", framesShape())});
 }
 
-json motionItem(const motion::UnitGesture& one) {
+/// Of a gesture that ships or was added.
+template <typename Gesture>
+json motionItem(const Gesture& one, bool own, double duration_s, const motion::UpperBodyMotion& motion) {
     return {{"id", one.id},
             {"name", one.name},
             {"meaning", one.meaning},
             {"class", motion::gestureClassName(one.gesture_class)},
-            {"own", false},
+            {"own", own},
             {"fps", static_cast<int>(motion::upper_body_fps)},
-            {"duration_s", one.duration_s()},
-            {"frames", framesJson(motion::motionOf(one))}};
+            {"duration_s", duration_s},
+            {"frames", framesJson(motion)}};
+}
+
+json motionItem(const motion::UnitGesture& one) {
+    return motionItem(one, false, one.duration_s(), motion::motionOf(one));
 }
 
 json motionItem(const OwnMotion& one) {
-    return {{"id", one.id},
-            {"name", one.name},
-            {"meaning", one.meaning},
-            {"class", motion::gestureClassName(one.gesture_class)},
-            {"own", true},
-            {"fps", static_cast<int>(motion::upper_body_fps)},
-            {"duration_s", static_cast<double>(one.motion.frames.size()) * motion::upper_body_frame_time_s},
-            {"frames", framesJson(one.motion)}};
+    const auto frames = static_cast<double>(one.motion.frames.size());
+    return motionItem(one, true, frames * motion::upper_body_frame_time_s, one.motion);
 }
 
 Route listMotions(const std::shared_ptr<StudioWork>& work) {

@@ -8,6 +8,7 @@ import {snapped, snappedShift, snapPoints} from "../model/snapping.ts";
 import {mark, move, show, stretch} from "../actions/editing.ts";
 import {seek} from "../playback/player.ts";
 import {playhead, select, selection, settle, snapping, studioDocument, totalFrames} from "../state/store.ts";
+import {followPointer} from "../ui/follow_pointer.ts";
 import {frameOfX} from "./scale.ts";
 
 export type Part = "middle" | "start" | "end";
@@ -24,34 +25,20 @@ interface Drag { moved(dx: number, x: number, free: boolean): void; dropped(): v
 // Follows one pointer from its press on. x is in pixels of the tracks' content.
 function follow(event: PointerEvent, content: Element, drag: Drag): void {
   if (event.button !== 0) return;
-  const target = event.currentTarget as Element;
-  target.setPointerCapture(event.pointerId);
   const left = () => content.getBoundingClientRect().left;
   const begin = event.clientX - left();
   let far = false;
-  const stop = new AbortController();
-  const on = <K extends keyof GlobalEventHandlersEventMap>(name: K, listener: (event: GlobalEventHandlersEventMap[K]) => void) =>
-      target.addEventListener(name, listener as EventListener, {signal: stop.signal});
-  on("pointermove", next => {
-    const x = next.clientX - left();
-    far ||= Math.abs(x - begin) > slack_px;
-    if (far) drag.moved(x - begin, x, next.altKey || !snapping.value);
-  });
-  on("pointerup", () => {
-    stop.abort();
-    if (far) drag.dropped();
-    else drag.clicked?.();
-  });
-  const cancel = () => {
-    stop.abort();
-    drag.cancelled();
-  };
-  on("pointercancel", cancel);
-  window.addEventListener("keydown", next => {
-    if (next.key !== "Escape") return;
-    next.stopPropagation();
-    cancel();
-  }, {signal: stop.signal, capture: true});
+  followPointer(event, {
+    moved(next) {
+      const x = next.clientX - left();
+      far ||= Math.abs(x - begin) > slack_px;
+      if (far) drag.moved(x - begin, x, next.altKey || !snapping.value);
+    },
+    ended(kept) {
+      if (!kept) drag.cancelled();
+      else if (far) drag.dropped();
+      else drag.clicked?.();
+    }});
 }
 
 const reach = (free: boolean) => free ? 0 : frameOfX(reach_px);

@@ -6,6 +6,7 @@ import {styleLimit, type CurvePoint, type StyleControl, type StyleName} from "..
 import {secondsOf} from "../model/frames.ts";
 import {setStyle} from "../actions/editing.ts";
 import {settle} from "../state/store.ts";
+import {followPointer} from "./follow_pointer.ts";
 
 type Curve = readonly CurvePoint[];
 
@@ -35,25 +36,15 @@ export function CurveEditor({control, name, label, curve}: Props) {
   };
   const press = (event: PointerEvent, k: number) => {
     if (event.button !== 0) return;
-    const button = event.currentTarget as HTMLElement;
-    button.setPointerCapture(event.pointerId);
-    const stop = new AbortController();
-    const end = (kept: boolean) => {
-      stop.abort();
-      if (kept && dragged.value) put(dragged.value);
-      dragged.value = null;
-    };
-    button.addEventListener("pointermove", next => {
-      const to = at(next);
-      dragged.value = moved(curve, k, to.at, to.value, step);
-    }, {signal: stop.signal});
-    button.addEventListener("pointerup", () => end(true), {signal: stop.signal});
-    button.addEventListener("pointercancel", () => end(false), {signal: stop.signal});
-    window.addEventListener("keydown", next => {
-      if (next.key !== "Escape") return;
-      next.stopPropagation();
-      end(false);
-    }, {signal: stop.signal, capture: true});
+    followPointer(event, {
+      moved(next) {
+        const to = at(next);
+        dragged.value = moved(curve, k, to.at, to.value, step);
+      },
+      ended(kept) {
+        if (kept && dragged.value) put(dragged.value);
+        dragged.value = null;
+      }});
   };
   const add = (share: number, value: number) => {
     const next = withPoint(curve, share, value, step);

@@ -1,6 +1,7 @@
 // Something on the avatar's picture that is moved in space: dragged over the picture, or by the arrow keys.
 import type {Point} from "../model/posing.ts";
 import type {AvatarView} from "../view/avatar_view.ts";
+import {followPointer} from "./follow_pointer.ts";
 
 export interface Moving {
   from(): Point | null;
@@ -12,27 +13,17 @@ export interface Moving {
 export function pressToMove(event: PointerEvent, view: AvatarView, moving: Moving): void {
   const from = moving.from();
   if (event.button !== 0 || !from) return;
-  const button = event.currentTarget as HTMLElement;
-  button.setPointerCapture(event.pointerId);
-  const stop = new AbortController();
   const {clientX, clientY} = event;
   let last: Point | null = null;
-  button.addEventListener("pointermove", next => {
-    last = view.shifted(from, next.clientX - clientX, clientY - next.clientY);
-    moving.tried(last);
-  }, {signal: stop.signal});
-  const end = (kept: boolean) => {
-    stop.abort();
-    if (kept && last) moving.kept(last);
-    moving.dropped();
-  };
-  button.addEventListener("pointerup", () => end(true), {signal: stop.signal});
-  button.addEventListener("pointercancel", () => end(false), {signal: stop.signal});
-  window.addEventListener("keydown", next => {
-    if (next.key !== "Escape") return;
-    next.stopPropagation();
-    end(false);
-  }, {signal: stop.signal, capture: true});
+  followPointer(event, {
+    moved(next) {
+      last = view.shifted(from, next.clientX - clientX, clientY - next.clientY);
+      moving.tried(last);
+    },
+    ended(kept) {
+      if (kept && last) moving.kept(last);
+      moving.dropped();
+    }});
 }
 
 const step_px = 6;

@@ -28,8 +28,9 @@ void addCorpusRules(Parser command, CorpusSource& source);
 /// Takes of a folder that cannot be used are told on stderr. The synthetic corpus is always the same one.
 [[nodiscard]] Result<learning::Corpus> makeOrReadCorpus(const CorpusSource& source);
 
-/// The takes of that part, for a trainer or an evaluation.
-[[nodiscard]] std::vector<learning::GestureTake> takesOf(const learning::Corpus& corpus,
-                                                         speech::CorpusPart part);
+/// Takes the takes of that part out of the corpus, for a trainer or an evaluation: hours of sound are not
+/// there twice.
+[[nodiscard]] std::vector<learning::GestureTake> takenFrom(learning::Corpus& corpus, speech::CorpusPart part);
+[[nodiscard]] double minutesOf(const std::vector<learning::GestureTake>& takes);
 
 }  // namespace deixis::app

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "learning/gesture_scores/scores.hpp"
 #include "motion/networks/sequence_layers.hpp"
 #include "motion/upper_body/upper_body.hpp"
 
@@ -13,13 +14,12 @@ namespace deixis::learning {
 
 class MotionEncoder {
   public:
-    static constexpr int frames = 30;
     static constexpr int latents = 32;
 
     /// The arrays motion.0 to motion.2 and motion.latent. Fails, naming the file, where one is missing.
     [[nodiscard]] static Result<MotionEncoder> read(const motion::NetworkWeights& weights);
 
-    /// Of `frames` columns with 27 numbers each, relative to the mean pose of the training motions.
+    /// Of scored_frames columns with 27 numbers each, relative to the mean pose of the training motions.
     [[nodiscard]] Eigen::VectorXd encode(const motion::MatrixXf& poses) const;
 
   private:

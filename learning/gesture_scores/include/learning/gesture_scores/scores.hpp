@@ -5,6 +5,11 @@
 
 namespace deixis::learning {
 
+/// What scores look at: parts of 30 frames, of which the frames 10 to 14 are poses (equation 8).
+constexpr int scored_frames = 30;
+constexpr int posed_first = 10;
+constexpr int posed_frames = 5;
+
 /// Of held-out windows: of each the 30 frames that a window adds, generated without a seed from before it.
 /// Lower is better. A baseline without controls has the first alone.
 struct GestureScores {
