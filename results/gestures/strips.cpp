@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "results/page/figure.hpp"
@@ -17,6 +18,10 @@ using motion::UpperJoint;
 constexpr double left_px = 118.0, width_px = 860.0, right_px = 16.0;
 constexpr double sound_px = 34.0, words_px = 30.0, row_px = 118.0;
 constexpr double metre_px = 72.0;
+// The page's own, which follows its light and dark looks; arms are seen on both.
+constexpr const char* text_colour = "currentColor";
+constexpr const char* left_colour = "#2f8fd0";
+constexpr const char* right_colour = "#dd6a14";
 constexpr std::size_t figures = 15;  ///< of a strip
 
 class Strips {
@@ -31,7 +36,6 @@ class Strips {
             R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" role="img" aria-label="{}" )"
             R"(font-family="sans-serif" font-size="11">)",
             all, height, escapeHtml(label()));
-        out += fmt::format(R"(<rect width="{}" height="{}" fill="{}"/>)", all, height, paper_colour);
         out += sound() + words();
         for (std::size_t i = 0; i < page_.strips.size(); ++i)
             out += row(page_.strips[i], sound_px + words_px + row_px * static_cast<double>(i));
@@ -52,7 +56,7 @@ class Strips {
 
     [[nodiscard]] std::string sound() const {
         std::string out =
-            fmt::format(R"(<text x="4" y="{}" fill="{}">sound</text>)", sound_px / 2 + 8, soft_colour);
+            fmt::format(R"(<text x="4" y="{}" fill="{}">sound</text>)", sound_px / 2 + 8, text_colour);
         std::string path;
         for (std::size_t i = 0; i < page_.loudness.size(); ++i) {
             const double x = left_px + width_px * (static_cast<double>(i) + 0.5) /
@@ -65,15 +69,16 @@ class Strips {
 
     [[nodiscard]] std::string words() const {
         std::string out;
-        double free = 0.0;
-        bool low = false;
+        // In the first of two lines that has room.
+        std::array<double, 2> free{};
         for (const SpokenWord& word : page_.utterance.words) {
             const double x = xOf(word.start_s);
-            // Where words stand close they take turns in two lines.
-            low = x < free && !low;
-            out += fmt::format(R"(<text x="{:.1f}" y="{:.1f}" fill="{}">{}</text>)", x,
-                               sound_px + (low ? 24.0 : 12.0), ink_colour, escapeHtml(word.text));
-            free = x + 7.4 * static_cast<double>(word.text.size());
+            const std::size_t line = x < free[0] && free[1] < free[0] ? 1 : 0;
+            const double at = std::max(x, free[line]);
+            out += fmt::format(R"(<text x="{:.1f}" y="{:.1f}" fill="{}">{}</text>)", at,
+                               sound_px + 12.0 + 12.0 * static_cast<double>(line), text_colour,
+                               escapeHtml(word.text));
+            free[line] = at + 6.2 * static_cast<double>(word.text.size()) + 5.0;
         }
         return out;
     }
@@ -91,12 +96,12 @@ class Strips {
 
     [[nodiscard]] std::string row(const GestureStrip& strip, double top) const {
         std::string out = marks(strip.styled, top, "#d43d2a") + marks(strip.posed, top, "#1f9e55");
-        out += fmt::format(R"(<path d="M{} {:.1f}h{}" stroke="#d6d6d1"/>)", 0, top,
+        out += fmt::format(R"(<path d="M{} {:.1f}h{}" stroke="currentColor" stroke-opacity=".2"/>)", 0, top,
                            left_px + width_px + right_px);
         double y = top + 20;
         for (const std::string& line : brokenName(strip.title)) {
-            out +=
-                fmt::format(R"(<text x="4" y="{:.1f}" fill="{}">{}</text>)", y, ink_colour, escapeHtml(line));
+            out += fmt::format(R"(<text x="4" y="{:.1f}" fill="{}">{}</text>)", y, text_colour,
+                               escapeHtml(line));
             y += 14;
         }
         const std::size_t count = strip.motion.frames.size();
@@ -124,20 +129,20 @@ class Strips {
         const Vec3& head = joints[static_cast<std::size_t>(nose)];
         return line("M" + at(spine) + "L" + at(neck) + "M" + at(left_shoulder) + "L" + at(neck) + "L" +
                         at(right_shoulder),
-                    ink_colour) +
+                    text_colour) +
                fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="6.5" fill="{}"/>)", x + metre_px * head.x,
-                           y - metre_px * (head.y - 0.08), ink_colour) +
-               line("M" + at(left_shoulder) + "L" + at(left_elbow) + "L" + at(left_wrist), "#0072b2") +
-               line("M" + at(right_shoulder) + "L" + at(right_elbow) + "L" + at(right_wrist), "#d55e00");
+                           y - metre_px * (head.y - 0.08), text_colour) +
+               line("M" + at(left_shoulder) + "L" + at(left_elbow) + "L" + at(left_wrist), left_colour) +
+               line("M" + at(right_shoulder) + "L" + at(right_elbow) + "L" + at(right_wrist), right_colour);
     }
 
     [[nodiscard]] std::string axis(double y) const {
         std::string out =
-            fmt::format(R"(<path d="M{} {:.1f}h{}" stroke="{}"/>)", left_px, y, width_px, soft_colour);
+            fmt::format(R"(<path d="M{} {:.1f}h{}" stroke="{}"/>)", left_px, y, width_px, text_colour);
         for (double t = 0.0; t <= duration_s_; t += 1.0)
             out +=
                 fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle" fill="{}">{:.0f} s</text>)",
-                            xOf(t), y + 15, soft_colour, t);
+                            xOf(t), y + 15, text_colour, t);
         return out;
     }
 
