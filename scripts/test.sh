@@ -10,6 +10,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+for preset in "$@"; do
+    [ "$preset" = all ] || cmake --list-presets | grep -q "\"$preset\"" || {
+        sed -n '2,/^set/s/^# //p' "$0" >&2
+        exit 2
+    }
+done
 if [ "${1:-}" = all ]; then scripts/install.sh all; else scripts/install.sh tests; fi
 [ -d tests/assets/gltf_validator/node_modules ] || npm ci --silent --prefix tests/assets/gltf_validator
 [ -d tests/browser/node_modules ] || npm ci --silent --prefix tests/browser

@@ -79,6 +79,8 @@ int take(const std::string& text, Conditions& now) {
         gaze.yaw_deg = line.number();
         gaze.pitch_deg = line.number();
         now.gaze = gaze;
+    } else if (what == "input") {
+        now.input_held = line.oneOf<bool>({{"held", true}, {"passed", false}});
     } else if (what == "recentre") {
         const float x = line.number();
         const float z = line.number();

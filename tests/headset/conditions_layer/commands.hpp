@@ -6,6 +6,7 @@
 //   state synchronized|visible|focused   the session comes no further: taken off; not in front; all well
 //   head tracked|guessed|turning|lost    as measured; position guessed; no position; neither
 //   gaze seen|guessed|lost YAW PITCH     eyes are tracked, and look so many degrees left and up of ahead
+//   input held|passed                    no news of the hands; all that came meanwhile, in one frame
 //   recentre X Z YAW AHEAD_MS            the spaces' new origin in the old one, and in how many milliseconds
 //   exit                                 the runtime's menu ends the program's session
 //   announce session-loss|instance-loss  by an event
@@ -49,6 +50,7 @@ struct Conditions {
     XrSessionState max = XR_SESSION_STATE_FOCUSED;
     Tracking head = Tracking::tracked;
     std::optional<Gaze> gaze;
+    bool input_held = false;
     std::optional<Loss> loss;
 
     std::deque<Recentring> recentrings;

@@ -274,6 +274,7 @@ XrResult XRAPI_CALL xrSyncActions(XrSession session, const XrActionsSyncInfo* in
     UNLESS_LOST("xrSyncActions");
     // All actions are inactive then. The program asks for none of them, so none is changed here.
     if (!layer->states.focused()) return XR_SESSION_NOT_FOCUSED;
+    if (layer->now.input_held) return XR_SUCCESS;  // every action keeps the state of the last call
     return layer->next.SyncActions(session, info);
 }
 

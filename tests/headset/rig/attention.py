@@ -17,6 +17,16 @@ def require_unanswered(trace, what):
     require(not taken and trace.now["trial"] == trial, f"{what} was taken as an answer in trial {trial}")
 
 
+def pull_both_in_one_frame(rig, person, trace):
+    """The runtime looks at one controller after the other: what reaches it between the two comes in two frames."""
+    rig.conditions.say("input held")
+    frame = trace.now["frame"]
+    trace.wait("frames without news of the hands", lambda line: line["frame"] > frame + 2)
+    person.trigger(True, "left", "right")
+    trace.settle(0.2)
+    rig.conditions.say("input passed")
+
+
 def choosing(line):
     return line["state"].startswith(("choosing", "aiming"))
 
@@ -25,7 +35,7 @@ def inattentive_participant(settings):
     """Head turned away, select too early, both triggers, the other hand, select held on, hands asleep."""
     with settings.rig("inattentive") as rig:
         database = rig.folder / "tiny.sqlite"
-        person, trace = begin(rig, database, study=tiny_study(rig))
+        person, trace = begin(rig, database, study=tiny_study(rig), conditions=[])
         choices = Choices()
 
         def play(until):
@@ -41,7 +51,7 @@ def inattentive_participant(settings):
         require_unanswered(trace, "letting go")
 
         # Both at once: nobody can tell which was meant. Then the other hand: it takes the ray over, no more.
-        person.trigger(True, "left", "right")
+        pull_both_in_one_frame(rig, person, trace)
         require_unanswered(trace, "a press of both triggers")
         person.trigger(False, "left", "right")
         trace.settle(UNMOVED_S)
