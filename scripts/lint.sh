@@ -9,7 +9,7 @@ cmake --preset asan -B build/lint -Wno-dev -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_
     -DDEIXIS_TESTS=OFF >"$log"
 cmake --build build/lint --target deixis_commit >>"$log" # the one source that is made
 if ! run-clang-tidy-14 -quiet -p build/lint -j "$(nproc)" -checks=-bugprone-suspicious-include \
-    "$PWD/(build/lint/)?(core|motion|physics|learning|assets|studies|results|renderer|app)/.*\.c(pp|xx)$" >"$log" 2>/dev/null; then
+    "$PWD/(build/lint/)?(core|motion|physics|learning|assets|studies|results|renderer|speech|server|app)/.*\.c(pp|xx)$" >"$log" 2>/dev/null; then
     grep -E 'error|warning' "$log" | sort -u
     echo "lint: clang-tidy found the above"
     exit 1

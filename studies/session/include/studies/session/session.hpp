@@ -32,6 +32,8 @@ class ClipSource {
     [[nodiscard]] virtual const motion::Clip& clip(const Stimulus& stimulus) const = 0;
     /// Null: nothing is heard with it.
     [[nodiscard]] virtual const ClipSound* sound(const Stimulus& /*stimulus*/) const { return nullptr; }
+    /// The studio's project that the clip is made of (its file's text); null: of none.
+    [[nodiscard]] virtual const std::string* project(const Stimulus& /*stimulus*/) const { return nullptr; }
 };
 
 /// What earlier sessions of the participant left.
