@@ -58,6 +58,7 @@ if has chromium "systems.png, report.png, evaluation.png"; then
     page_picture "$scratch/evaluation.html" 1600 evaluation.png
 fi
 if [ -d tests/web/node_modules ] && has node studio.png; then
-    ONLY=looks DEIXIS_SLOW_MACHINE=1 node tests/web/check_studio.mjs "$(dirname "$program")/share/deixis" "$scratch/studio" "$program"
+    ONLY=looks,tour DEIXIS_SLOW_MACHINE=1 node tests/web/check_studio.mjs "$(dirname "$program")/share/deixis" "$scratch/studio" "$program"
     cp "$scratch/studio/pose-1280x720-light.png" docs/images/studio.png
+    cp "$scratch"/studio/tour-?.png docs/images
 fi

@@ -10,13 +10,14 @@ import {keeping} from "./keeping.mjs";
 import {looks} from "./looks.mjs";
 import {goesWrong} from "./goes_wrong.mjs";
 import {inStep} from "./in_step.mjs";
+import {tour} from "./tour.mjs";
 import {begin} from "./visit.mjs";
 
 const [share, out, program] = process.argv.slice(2).map(word => path.resolve(word));
 const place = await begin({share, out, program});
 try {
   const only = process.env.ONLY?.split(",");
-  for (const [name, check] of Object.entries({inStep, byMouse, byKeyboard, authoring, authoringByKeys, keeping, looks, goesWrong})) {
+  for (const [name, check] of Object.entries({inStep, byMouse, byKeyboard, authoring, authoringByKeys, keeping, looks, tour, goesWrong})) {
     if (only && !only.includes(name)) continue;
     const begun = performance.now();
     const found = await check(place);
