@@ -62,21 +62,22 @@ class TextGridReader {
         if (file_type != "ooTextFile" || object != "TextGrid")
             return fail(name_, "found no TextGrid of Praat, expected one saved as a text file");
         const auto from = number(), to = number();
-        const auto tiers = number();
+        const auto tiers = count();
         if (!from || !to || !tiers) return cutOff();
         std::vector<std::string> found;
         std::optional<std::vector<SpokenWord>> words;
-        for (int t = 0; t < static_cast<int>(*tiers); ++t) {
+        for (std::size_t t = 0; t < *tiers; ++t) {
             const auto kind = textToken(), tier = textToken();
-            const auto tier_from = number(), tier_to = number(), count = number();
-            if (!kind || !tier || !tier_from || !tier_to || !count) return cutOff();
+            const auto tier_from = number(), tier_to = number();
+            const auto rows = count();
+            if (!kind || !tier || !tier_from || !tier_to || !rows) return cutOff();
             found.push_back(fmt::format("{} ({})", *tier, *kind));
             const bool intervals = *kind == "IntervalTier";
             const bool wanted = intervals && isWordTier(*tier);
             if (wanted && words)
                 return fail(name_, fmt::format("found several tiers of words: {}", fmt::join(found, ", ")),
                             "Keep the tier \"words\" of the person who moves");
-            auto read = readTier(static_cast<std::size_t>(*count), intervals, wanted);
+            auto read = readTier(*rows, intervals, wanted);
             if (!read) return tl::unexpected(read.error());
             if (wanted) words = std::move(*read);
         }
@@ -143,6 +144,13 @@ class TextGridReader {
             if (const auto value = finiteNumber(*next)) return value;
         }
         return {};
+    }
+
+    /// Of tiers or intervals; none where the file has not even as many letters.
+    std::optional<std::size_t> count() {
+        const auto value = number();
+        if (!value || *value < 0.0 || *value > static_cast<double>(text_.size())) return {};
+        return static_cast<std::size_t>(*value);
     }
 
     std::optional<std::string> textToken() {
