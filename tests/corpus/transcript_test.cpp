@@ -96,6 +96,11 @@ TEST_SUITE("corpus/transcript") {
         for (const std::size_t length : {long_grid.size() / 2, long_grid.size() - 12, std::size_t{120}})
             CHECK_MESSAGE(gridProblem(long_grid.substr(0, length)).find("cut off") != std::string::npos,
                           length);
+        for (const char* count : {"1e121", "-1", "1e9"}) {  // of tiers
+            std::string many = short_grid;
+            many.replace(many.find("\n2\n\"TextTier\"") + 1, 1, count);
+            CHECK_MESSAGE(gridProblem(many).find("cut off") != std::string::npos, count);
+        }
         CHECK(gridProblem("word,start\n").find("found no TextGrid of Praat") != std::string::npos);
         CHECK(gridProblem("").find("found no TextGrid of Praat") != std::string::npos);
         std::string back = long_grid;
