@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <system_error>
 
 #include "app/clips/generation.hpp"
 #include "app/clips/systems.hpp"
 #include "app/program/version.hpp"
 #include "core/hash.hpp"
-#include "core/staging.hpp"
+#include "made_folder.hpp"
 
 namespace deixis::app {
 
@@ -22,16 +21,8 @@ Result<void> makeClips(const studies::SystemSource& system, std::uint64_t seed,
                        const motion::HoldSettings& settings, const fs::path& folder) {
     const auto made_by = makeSystem(system.generator, "", maker.skeleton);
     if (!made_by) return tl::unexpected(made_by.error());
-    // Whole, or not there: whoever makes the same clips at the same time finds those of whoever was first.
-    auto making = Staging::within(folder.parent_path());
-    if (!making) return tl::unexpected(making.error());
-    const auto rows = generateClips(*made_by, targets, seed, settings, making->path(), true, false);
+    const auto rows = generateClips(*made_by, targets, seed, settings, folder, true, false);
     if (!rows) return tl::unexpected(rows.error());
-    // One without a manifest was left half by a program that was killed.
-    std::error_code code;
-    if (!fs::exists(folder / "manifest.csv", code)) fs::remove_all(folder, code);
-    auto moved = making->become(folder, false);
-    if (!moved && !fs::exists(folder / "manifest.csv", code)) return moved;
     return {};
 }
 
@@ -52,12 +43,9 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, std::uint6
         made_from += fmt::format("{} {} {} {}\n", id, target.x, target.y, target.z);
     const std::string key = sha256Hex(made_from);
     const fs::path clips = folder / fmt::format("{}-{}", system.generator, key.substr(0, 12));
-    const fs::path manifest = clips / "manifest.csv";
-    std::error_code code;
-    if (!fs::exists(manifest, code))
-        if (auto made = makeClips(system, seed, targets, maker, settings, clips); !made)
-            return tl::unexpected(made.error());
-    return manifest;
+    return madeOnce(clips, [&](const fs::path& making) {
+        return makeClips(system, seed, targets, maker, settings, making);
+    });
 }
 
 }  // namespace deixis::app

@@ -12,6 +12,7 @@
 
 #include "app/clips/clip_files.hpp"
 #include "app/clips/clip_retargeting.hpp"
+#include "app/clips/project_folder.hpp"
 #include "app/program/progress_line.hpp"
 #include "assets/joints/bvh.hpp"
 #include "assets/joints/clip_import.hpp"
@@ -37,8 +38,9 @@ std::string position(const Vec3& p) {
 /// One system's clips.
 class SystemClips {
   public:
-    SystemClips(const ClipSources& sources, const studies::SystemSource& system, const assets::Avatar* maker)
-        : sources_(sources), system_(system), maker_(maker) {}
+    SystemClips(const ClipSources& sources, const studies::SystemSource& system, const assets::Avatar* maker,
+                ProjectClips& projects)
+        : sources_(sources), system_(system), maker_(maker), project_clips_(projects) {}
 
     std::vector<Error> read(const ClipTaker& take) {
         if (!system_.generator.empty()) {
@@ -47,6 +49,10 @@ class SystemClips {
                 return std::move(problems_);
             }
             readBuiltIn(take);
+            return std::move(problems_);
+        }
+        if (!system_.projects.empty()) {
+            takeProjects(take);
             return std::move(problems_);
         }
         auto manifest = assets::checkManifest(system_.manifest);
@@ -308,7 +314,29 @@ class SystemClips {
         }
     }
 
-    void takeBuiltIn(const fs::path& manifest, const assets::ManifestRow& row, const ClipTaker& take) {
+    void takeProjects(const ClipTaker& take) {
+        if (sources_.setup.targets.front().placed)
+            return problem(Error{"",
+                                 fmt::format("item {} has a target, but projects point at nothing",
+                                             sources_.setup.targets.front().id),
+                                 "Write [targets] from_projects, or a manifest's items without targets"});
+        auto projects = readProjects(system_, sources_.setup.targets);
+        if (!projects) {
+            for (Error& error : projects.error()) problem(std::move(error));
+            return;
+        }
+        if (sources_.made.empty()) return;
+        const auto file = projectsManifest(system_, *projects, project_clips_, sources_.made);
+        if (!file) return problem(file.error());
+        const auto manifest = assets::readManifest(*file);
+        if (!manifest) return problem(manifest.error());
+        for (std::size_t i = 0; i < std::min(projects->size(), manifest->rows.size()); ++i)
+            takeBuiltIn(*file, manifest->rows[i], take, std::move((*projects)[i].bytes));
+    }
+
+    /// `project`: what it was made of.
+    void takeBuiltIn(const fs::path& manifest, const assets::ManifestRow& row, const ClipTaker& take,
+                     std::string project = {}) {
         const fs::path file = manifest.parent_path() / row.clip;
         auto bytes = readFile(file);
         if (!bytes) return problem(bytes.error());
@@ -319,13 +347,19 @@ class SystemClips {
                                      manifest.parent_path().string());
             return problem(std::move(error));
         }
-        if (auto taken = take(system_, StudyClip{row, std::move(*bytes), ".bvh"}); !taken)
-            problem(taken.error());
+        StudyClip clip{row, std::move(*bytes), ".bvh", {}, std::move(project)};
+        if (!row.sound.empty()) {
+            auto sound = readFile(manifest.parent_path() / row.sound);
+            if (!sound) return problem(sound.error());
+            clip.sound = std::move(*sound);
+        }
+        if (auto taken = take(system_, std::move(clip)); !taken) problem(taken.error());
     }
 
     const ClipSources& sources_;
     const studies::SystemSource& system_;
     const assets::Avatar* maker_;
+    ProjectClips& project_clips_;
     assets::Manifest manifest_;
     std::vector<Error> problems_;
 };
@@ -362,10 +396,11 @@ std::vector<Error> readStudyClips(const ClipSources& sources, const ClipTaker& t
     const ElapsedOnTerminal told(sources.made.empty() ? "reading the study's clips"
                                                       : "making and reading the study's clips");
     // Systems do not depend on each other, and making and reading their clips is most of a start's work.
+    ProjectClips projects;  // a speech is spoken once for all systems
     std::vector<std::future<std::vector<Error>>> parts;
     for (const auto& system : systems)
-        parts.push_back(std::async(std::launch::async, [&sources, &system, &take, maker] {
-            return SystemClips(sources, system, maker).read(take);
+        parts.push_back(std::async(std::launch::async, [&sources, &system, &take, &projects, maker] {
+            return SystemClips(sources, system, maker, projects).read(take);
         }));
     std::vector<Error> problems;
     for (auto& part : parts)

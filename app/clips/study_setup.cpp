@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "app/clips/project_folder.hpp"
 #include "app/clips/study_clips.hpp"
 #include "assets/data/data_paths.hpp"
 #include "assets/tables/manifest.hpp"
@@ -65,6 +66,20 @@ tl::expected<std::vector<studies::TargetItem>, std::vector<Error>> itemsOfManife
     return items;
 }
 
+// Those of a folder of projects, which have no places.
+tl::expected<std::vector<studies::TargetItem>, std::vector<Error>> itemsOfFolder(
+    const studies::Study& study) {
+    const auto names = itemsOfProjects(study.targets.from_projects);
+    if (!names) {
+        Error error = names.error();
+        error.where = study.place("targets.from_projects") + ": " + error.where;
+        return tl::unexpected(std::vector<Error>{std::move(error)});
+    }
+    std::vector<studies::TargetItem> items;
+    for (const std::string& name : *names) items.push_back({name, Vec3(0.0), false, {}});
+    return items;
+}
+
 tl::expected<void, std::vector<Error>> fillTargetSpace(studies::Study& study) {
     const std::string key = "targets.fit_manifest";
     const std::string file = study.targets.fit_manifest;
@@ -88,12 +103,13 @@ tl::expected<std::vector<studies::TargetItem>, std::vector<Error>> targetsOf(stu
         return tl::unexpected(std::vector<Error>{std::move(error)});
     };
     if (auto filled = fillTargetSpace(study); !filled) return tl::unexpected(filled.error());
-    if (study.targets.from_manifest.empty()) {
+    const bool from_projects = !study.targets.from_projects.empty();
+    if (study.targets.from_manifest.empty() && !from_projects) {
         auto targets = studies::sampleTargets(study);
         if (!targets) return inStudy(targets.error());
         return std::move(*targets);
     }
-    auto items = itemsOfManifest(study);
+    auto items = from_projects ? itemsOfFolder(study) : itemsOfManifest(study);
     if (!items) return items;
     study.targets.count = static_cast<int>(items->size());
     if (study.distances.empty()) return items;
@@ -167,7 +183,8 @@ void checkRoom(const studies::Study& study, const std::vector<studies::TargetIte
 
 tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& name,
                                                              const std::string& language) {
-    const studies::StudyFolders folders{assets::dataFile("languages"), assets::dataFile("questionnaires")};
+    const studies::StudyFolders folders{
+        assets::dataFile("languages"), assets::dataFile("questionnaires"), {}, assets::dataFile("speeches")};
     auto study = studies::loadStudy(assets::fileOrShipped(name, "studies"), folders, language);
     if (!study) return tl::unexpected(study.error());
     std::vector<Error> problems;

@@ -90,7 +90,7 @@ Result<System> makeSystem(const std::string& name, const std::string& weights,
 
 bool isSynthetic(const assets::ManifestRow& row) {
     return std::ranges::find(motion::generatorNames(), row.system) != motion::generatorNames().end() ||
-           row.processing == assets::learned_from_synthetic;
+           row.processing == assets::learned_from_synthetic || row.processing == assets::made_by_rules;
 }
 
 Result<std::string> systemSource(const std::string& name) {

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "app/clips/project_folder.hpp"
 #include "app/clips/study_clips.hpp"
 #include "assets/data/data_paths.hpp"
 #include "assets/joints/clip_import.hpp"
@@ -98,6 +99,8 @@ Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Ava
         if (!file.empty()) with(file);
     std::set<fs::path> clips;
     for (const auto& system : study.systems) {
+        if (!system.projects.empty() && !isShipped(system.projects))
+            for (const auto& item : setup.targets) with(projectFile(system, item.id));
         if (system.manifest.empty()) continue;
         with(system.manifest);
         const auto manifest = assets::readManifest(system.manifest);
@@ -148,8 +151,20 @@ Result<std::vector<std::string>> labDifferences(const LockedStudy& locked, const
                 before.file + " has changed" +
                 (files[i].extension() == ".csv" ? manifestDifference(locked, before.file, files[i]) : ""));
     }
-    // A word on a figure's bones that was not there before.
     std::set<fs::path> known(files.begin(), files.end());
+    // A further item.
+    const fs::path projects = study.parent_path() / locked.setup.study.targets.from_projects;
+    std::error_code none;
+    if (!locked.setup.study.targets.from_projects.empty() && fs::is_directory(projects, none)) {
+        std::set<std::string> items;
+        for (const auto& item : locked.setup.targets) items.insert(item.id);
+        if (const auto now = itemsOfProjects(projects))
+            for (const std::string& item : *now)
+                if (!items.contains(item))
+                    out.push_back(
+                        fmt::format("{} has a new item {}", fromStudy(projects, study.parent_path()), item));
+    }
+    // A word on a figure's bones that was not there before.
     for (std::size_t i = 1; i < files.size(); ++i) {
         const fs::path words = assets::humanoidFileOf(files[i]);
         std::error_code code;

@@ -93,6 +93,20 @@ Json description(const StudySetup& setup, const assets::Avatar& avatar, const st
     return out;
 }
 
+/// What the systems' manifests say was done to their clips.
+Result<void> fillProcessing(LockedStudy& locked) {
+    for (auto& system : locked.setup.study.systems) {
+        const auto manifest = assets::readManifest(locked.manifest(system.name));
+        if (!manifest) return tl::unexpected(manifest.error());
+        std::vector<std::string> found;
+        for (const auto& row : manifest->rows)
+            if (!row.processing.empty() && std::ranges::find(found, row.processing) == found.end())
+                found.push_back(row.processing);
+        system.processing = fmt::format("{}", fmt::join(found, ", "));
+    }
+    return {};
+}
+
 /// Paths as the study file writes them: where the set lies is no matter of the study's.
 void asWritten(studies::Study& study, const fs::path& folder) {
     const auto written = [&](std::string& path) {
@@ -102,8 +116,12 @@ void asWritten(studies::Study& study, const fs::path& folder) {
         const bool within = !relative.empty() && *relative.begin() != "..";
         if (within || !fs::path(path).is_absolute()) path = relative.generic_string();
     };
-    for (auto& system : study.systems) written(system.manifest);
+    for (auto& system : study.systems) {
+        written(system.manifest);
+        written(system.projects);
+    }
     written(study.targets.from_manifest);
+    written(study.targets.from_projects);
     written(study.targets.fit_manifest);
 }
 
@@ -134,21 +152,24 @@ tl::expected<std::string, std::vector<Error>> lockStudy(const StudySetup& setup,
 
     std::map<std::string, SystemFiles> systems;
     for (const auto& system : setup.study.systems) systems[system.name];
-    auto problems = readStudyClips({setup, &*avatar, request.made, request.earlier, request.shown},
-                                   [&](const studies::SystemSource& system, StudyClip clip) -> Result<void> {
-                                       SystemFiles& kept = systems.at(system.name);
-                                       clip.row.clip = kept.nameFor(clip);
-                                       clip.row.system = system.name;
-                                       const std::string folder = fmt::format("clips/{}/", system.name);
-                                       const std::string name = folder + clip.row.clip;
-                                       clip.row.sound = clip.sound.empty() ? "" : clip.row.clip + ".wav";
-                                       const std::string sound = folder + clip.row.sound;
-                                       kept.rows.push_back(std::move(clip.row));
-                                       if (!clip.sound.empty())
-                                           if (auto added = writer->add(sound, clip.sound); !added)
-                                               return added;
-                                       return writer->add(name, clip.bytes);
-                                   });
+    auto problems = readStudyClips(
+        {setup, &*avatar, request.made, request.earlier, request.shown},
+        [&](const studies::SystemSource& system, StudyClip clip) -> Result<void> {
+            SystemFiles& kept = systems.at(system.name);
+            clip.row.clip = kept.nameFor(clip);
+            clip.row.system = system.name;
+            const std::string folder = fmt::format("clips/{}/", system.name);
+            const std::string name = folder + clip.row.clip;
+            clip.row.sound = clip.sound.empty() ? "" : clip.row.clip + ".wav";
+            const std::string sound = folder + clip.row.sound;
+            kept.rows.push_back(std::move(clip.row));
+            if (!clip.project.empty())
+                if (auto added = writer->add(projectBeside(name).string(), clip.project); !added)
+                    return added;
+            if (!clip.sound.empty())
+                if (auto added = writer->add(sound, clip.sound); !added) return added;
+            return writer->add(name, clip.bytes);
+        });
     if (!problems.empty()) return tl::unexpected(std::move(problems));
     for (const auto& [name, kept] : systems)
         files.addBytes(fmt::format("clips/{}/manifest.csv", name), assets::manifestCsv(kept.rows));
@@ -216,6 +237,7 @@ Result<LockedStudy> openLocked(const fs::path& database, const std::string& hash
     if (!targets) return fail((out.folder / targets_file).string(), targets.error().message);
     out.setup.targets = std::move(*targets);
     out.setup.study.targets.count = static_cast<int>(out.setup.targets.size());
+    if (auto filled = fillProcessing(out); !filled) return tl::unexpected(filled.error());
     return out;
 }
 

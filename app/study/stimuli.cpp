@@ -115,6 +115,12 @@ Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
                 loaded.sound = {kept_sound->name, durationOf(*sound)};
                 part.sounds.emplace(kept_sound->name, std::move(*sound));
             }
+            if (const fs::path project = projectBeside(file);
+                locked.files.contains(project.lexically_relative(locked.folder).generic_string())) {
+                auto kept_project = lockedBytes(locked, project);
+                if (!kept_project) return tl::unexpected(kept_project.error());
+                loaded.project = std::move(kept_project->bytes);
+            }
             part.clips.emplace(stimulus, std::move(loaded));
         }
         return part;
@@ -148,6 +154,11 @@ const motion::Clip& StimulusLibrary::clip(const studies::Stimulus& stimulus) con
 const studies::ClipSound* StimulusLibrary::sound(const studies::Stimulus& stimulus) const {
     const auto found = clips_.find(stimulus);
     return found == clips_.end() || found->second.sound.id.empty() ? nullptr : &found->second.sound;
+}
+
+const std::string* StimulusLibrary::project(const studies::Stimulus& stimulus) const {
+    const auto found = clips_.find(stimulus);
+    return found == clips_.end() || found->second.project.empty() ? nullptr : &found->second.project;
 }
 
 results::ClipRecords StimulusLibrary::records() const {

@@ -79,7 +79,7 @@ Result<StudySetup> setupAsBegun(const StudyRequest& request, const results::Stor
 /// participants meet the same ones as earlier.
 Result<std::vector<studies::TargetItem>> targetsAsBegun(const StudySetup& setup) {
     const studies::Study& study = setup.study;
-    if (study.targets.from_manifest.empty())
+    if (study.targets.from_manifest.empty() && study.targets.from_projects.empty())
         return studies::sampleTargets(study.targets, study.distances, study.seed);
     if (study.distances.empty()) return setup.targets;
     return studies::drawDistractors(setup.targets, study.targets, study.distances, study.seed);

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
+#include "app/clips/project_folder.hpp"
 #include "app/clips/study_clips.hpp"
 #include "app/clips/study_setup.hpp"
 #include "app/program/command_help.hpp"
@@ -17,6 +19,7 @@
 #include "app/study/angles_text.hpp"
 #include "app/study/visibility_text.hpp"
 #include "app/study_commands/study_commands.hpp"
+#include "assets/data/data_paths.hpp"
 #include "assets/tables/manifest.hpp"
 #include "studies/design/plan.hpp"
 
@@ -76,9 +79,14 @@ std::vector<std::string> warningsOf(const studies::Study& study) {
     warnPath("study.avatar", study.avatar);
     warnPath("targets.fit_manifest", study.targets.fit_manifest);
     warnPath("targets.from_manifest", study.targets.from_manifest);
+    const auto warnProjects = [&](const std::string& key, const fs::path& projects) {
+        if (projects.parent_path() != assets::dataFile("speeches")) warnPath(key, projects);
+    };
+    warnProjects("targets.from_projects", study.targets.from_projects);
     for (const auto& system : study.systems) {
         const std::string key = "systems." + system.name;
         warnPath(key, system.manifest);
+        warnProjects(key, system.projects);
         if (system.manifest.empty()) continue;
         const auto manifest = assets::readManifest(system.manifest);
         if (!manifest) continue;
@@ -162,6 +170,26 @@ void describeInJson(const StudySetup& setup, const std::vector<studies::StudyPla
                  {"participants", participants}});
 }
 
+/// Systems whose clips are of projects, or that are not compared.
+void describeSystems(const StudySetup& setup) {
+    ProjectClips maker;
+    for (const auto& system : setup.study.systems) {
+        std::string about;
+        if (!system.projects.empty())
+            if (const auto projects = readProjects(system, setup.targets)) {
+                std::set<std::string> made;
+                for (const ItemProject& one : *projects) {
+                    const std::string processing = maker.processing(one.project);
+                    made.insert("by " + one.project.system + (processing.empty() ? "" : ", " + processing));
+                }
+                about = fmt::format("{} projects ({})", projects->size(), fmt::join(made, "; "));
+            }
+        if (!system.compared)
+            about += fmt::format("{}not compared: {}", about.empty() ? "" : "; ", system.remark);
+        if (!about.empty()) fmt::print("system {}: {}\n", system.name, about);
+    }
+}
+
 void describe(const StudySetup& setup, const assets::Avatar& avatar,
               const std::vector<studies::StudyPlan>& plans) {
     const studies::Study& study = setup.study;
@@ -188,6 +216,7 @@ void describe(const StudySetup& setup, const assets::Avatar& avatar,
             fmt::print("\n");
         }
     }
+    describeSystems(setup);
     for (const auto& system : study.systems) {
         std::vector<int> several;
         for (const auto& item : setup.targets)

@@ -181,6 +181,7 @@ AnalysisResult analyseStudy(const AnalysisResult& all, const std::string& study)
 void runTests(AnalysisResult& result) {
     setUp(result);
     result.level = 0.0;
+    setAside(result);
     const RowPointers rows = pointersTo(result.table.rows);
     testAnswers(rows, cellsOf(rows), result);
 }
@@ -192,12 +193,21 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     takeParticipantsOnly(result);
     dropEmptyStudies(result.table);
     setUp(result);
+    if (!result.table.not_compared.empty()) {
+        // These are about all answers.
+        result.answers_hash = answersHash(result.table);
+        result.quality = dataQuality(result.table);
+        setAside(result);
+    }
+    const bool all = result.table.not_compared.empty();
     const RowPointers rows = pointersTo(result.table.rows);
     const CellsByMeasure cells = cellsOf(rows);
     // What needs no test is worked out beside the tests.
-    auto hash = std::async(std::launch::async, [&] { return answersHash(result.table); });
+    auto hash =
+        std::async(std::launch::async, [&] { return all ? answersHash(result.table) : result.answers_hash; });
     auto systems = std::async(std::launch::async, [&] { return summariseSystems(cells, result); });
-    auto quality = std::async(std::launch::async, [&] { return dataQuality(result.table); });
+    auto quality =
+        std::async(std::launch::async, [&] { return all ? dataQuality(result.table) : result.quality; });
     auto descriptions = std::async(std::launch::async, [&] { describeAnswers(result); });
     testAnswers(rows, cells, result);
     countParticipants(result);

@@ -105,6 +105,7 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::St
     for (const auto& system : study.systems)
         if (systems.contains(system.name)) {
             table.systems.push_back(system.name);
+            if (!system.compared) table.not_compared.emplace(system.name, system.remark);
             for (const auto& [factor, level] : system.levels) addLevel(table.within, factor, level);
         }
     for (const auto& layout : study.layouts)

@@ -164,6 +164,7 @@ void remarkAnswers(AnalysisResult& result) {
         ++answered[row.measure];
         interrupted += row.pauses > 0 ? 1 : 0;
     }
+    for (const auto& row : table.aside_rows) ++answered[row.measure];
     auto& remarks = result.remarks;
     remarks.insert(remarks.end(), table.notes.begin(), table.notes.end());
     std::string missing;
@@ -205,9 +206,10 @@ void remarkFamilies(const std::vector<Comparison>& tests, AnalysisResult& result
 /// Of one of several studies.
 void remarkMissing(const AnalysisResult& study, AnalysisResult& result) {
     for (const Measure& measure : study.table.measures) {
-        const auto answered =
-            std::count_if(study.table.rows.begin(), study.table.rows.end(),
-                          [&](const ResponseRow& row) { return row.measure == measure.name; });
+        std::ptrdiff_t answered = 0;
+        for (const auto* rows : {&study.table.rows, &study.table.aside_rows})
+            answered += std::count_if(rows->begin(), rows->end(),
+                                      [&](const ResponseRow& row) { return row.measure == measure.name; });
         if (answered != measure.planned)
             result.remarks.push_back(fmt::format("{}: {} of {} planned on {} are answered.",
                                                  study.table.study_name, answered, measure.planned,

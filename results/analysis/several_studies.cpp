@@ -33,6 +33,11 @@ void forStudies(const ResponseTable& table, const Visit& visit) {
         visit(row, levelOfParticipant(table, row.participant, study_factor));
 }
 
+int answersOn(const Measure& measure, const std::vector<ResponseRow>& rows) {
+    return static_cast<int>(std::count_if(
+        rows.begin(), rows.end(), [&](const ResponseRow& row) { return row.measure == measure.name; }));
+}
+
 /// What was planned of one study's participants; where no plan is known, what was answered.
 void planStudy(const ResponseTable& all, const std::string& study, ResponseTable& out) {
     for (Measure& measure : out.measures) {
@@ -43,10 +48,7 @@ void planStudy(const ResponseTable& all, const std::string& study, ResponseTable
                 known = true;
                 if (const auto of = measures.find(measure.name); of != measures.end()) planned += of->second;
             }
-        measure.planned = known ? planned
-                                : static_cast<int>(std::count_if(
-                                      out.rows.begin(), out.rows.end(),
-                                      [&](const ResponseRow& row) { return row.measure == measure.name; }));
+        measure.planned = known ? planned : answersOn(measure, out.rows) + answersOn(measure, out.aside_rows);
     }
 }
 
@@ -102,6 +104,8 @@ ResponseTable onlyStudy(const ResponseTable& table, const std::string& study) {
         if (of == study) out.rows.push_back(row);
     });
     for (ResponseRow& row : out.rows) row.within.clear();
+    for (const ResponseRow& row : table.aside_rows)
+        if (levelOfParticipant(table, row.participant, study_factor) == study) out.aside_rows.push_back(row);
     planStudy(table, study, out);
     return out;
 }

@@ -129,6 +129,11 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
                 "Give the two measures different names");
         addOnce(out.systems, next.systems);
         addOnce(out.built_in_systems, next.built_in_systems);
+        if (next.processing) {
+            if (!out.processing) out.processing.emplace();
+            out.processing->insert(next.processing->begin(), next.processing->end());
+        }
+        out.not_compared.insert(next.not_compared.begin(), next.not_compared.end());
         addOnce(out.layouts, next.layouts);
         addOnce(out.distances, next.distances);
         joinFactors(out.between, next.between);

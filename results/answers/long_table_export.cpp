@@ -46,7 +46,8 @@ bool LongTableReader::takeExportLine() {
     const auto measured =
         std::find_if(measures.begin(), measures.end(),
                      [&](const studies::DeclaredMeasure& one) { return one.question == asked; });
-    const bool rated = !asked.empty() && measured != measures.end();
+    const bool surveyed = declared != nullptr && declared->in_pages && !cell(ExportColumnOf::measure).empty();
+    const bool rated = surveyed || (!asked.empty() && measured != measures.end());
     const bool choice = declared != nullptr && declared->balls && first_of_trial;
     if (cell(scored) != "1" || this->cell(LongColumn::practice) == "1" || !(rated || choice)) return false;
 
@@ -55,7 +56,7 @@ bool LongTableReader::takeExportLine() {
     const std::string is_right = choice && chosen ? cell(ExportColumnOf::correct) : "";
     const std::string unanswered = choice && !chosen ? cell(ExportColumnOf::status) : "";
     const std::string standing = cell(participant_status);
-    const std::string of = rated && measured->name.empty() ? cell(ExportColumnOf::measure) : asked;
+    const std::string of = rated ? cell(ExportColumnOf::measure) : asked;
     const std::string left_out =
         standing == "active" ? "" : fmt::format("{}: for a reason in participants.csv", standing);
     // In the order of the places that the head gives them.

@@ -18,6 +18,7 @@
 #include "results/database/game_values.hpp"
 #include "results/database/locked_history.hpp"
 #include "studies/study_file/stage_kind.hpp"
+#include "survey_ratings.hpp"
 
 namespace deixis::results {
 
@@ -40,6 +41,16 @@ studies::LeaveOutRule leaveOutFrom(const nlohmann::json& declared) {
     return {share("same_rating_share"), share("one_side_share"), share("median_time_below_s")};
 }
 
+void readSystems(const nlohmann::json& systems, ResponseTable& table) {
+    table.processing.emplace();
+    for (const auto& [name, system] : systems.items()) {
+        if (system.contains("processing"))
+            table.processing->emplace(name, system.at("processing").get<std::string>());
+        if (!system.value("compared", true))
+            table.not_compared.emplace(name, system.at("remark").get<std::string>());
+    }
+}
+
 void readStudy(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement study(database, "SELECT name, title, hash, alpha, analysis FROM study");
     study.executeStep();
@@ -53,6 +64,7 @@ void readStudy(SQLite::Database& database, const std::string& people, ResponseTa
         table.by_ratings = analysis.value("unit", "participants") == "ratings";
         table.equivalence = analysis.at("equivalence").get<std::map<std::string, double>>();
         table.leave_out = leaveOutFrom(analysis.value("leave_out", nlohmann::json::object()));
+        if (analysis.contains("systems")) readSystems(analysis.at("systems"), table);
     }
     table.systems =
         textColumn(database,
@@ -360,6 +372,7 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
     readLeftOut(database, people, table);
     readChoices(database, people, table);
     readRatings(database, people, measures, table);
+    readSurveyRatings(database, people, table);
     readPreferences(database, people, table);
     fitMeasured(table);
     readResponseContext(database, people, table);

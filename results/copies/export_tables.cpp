@@ -22,6 +22,14 @@ const ExportColumn trial_index{
     {"trial_index", whole, "Which answered unit, from 0 over all sessions in the planned order"},
     "trial_index"};
 
+/// SQL for what the study says of a questionnaire's answer that rates a system: its measure or its system.
+std::string ratedBy(const char* key) {
+    return fmt::format(
+        "(SELECT json_extract(e.value, '$.{}') FROM study, json_each(study.analysis, '$.rates') AS e WHERE "
+        "json_extract(e.value, '$.stage') = f.stage AND json_extract(e.value, '$.question') = f.question)",
+        key);
+}
+
 /// SQL for what a row of responses_flat measures, as the kinds of stages declare it.
 std::string measureOfAnswer() {
     std::string out = "CASE";
@@ -32,7 +40,7 @@ std::string measureOfAnswer() {
                     fmt::format(" WHEN kind = '{}' AND question = '{}' THEN {}", kind->name, measure.question,
                                 measure.name.empty() ? "(SELECT measure FROM stages WHERE name = f.stage)"
                                                      : fmt::format("'{}'", measure.name));
-    return out + " END";
+    return out + fmt::format(" WHEN kind = 'questionnaire' THEN {} END", ratedBy("measure"));
 }
 
 ExportTable responsesTable() {
@@ -65,11 +73,14 @@ ExportTable responsesTable() {
             {{"measure", text, "What the answer measures in the report; empty: nothing, or a choice"},
              measureOfAnswer()},
             {{"stimulus", whole, "Which of the trial's clips, from 0; empty: of both, or none"}, "stimulus"},
-            {{"system", text, "System that made the clip; of a pair the one on the left"}, "system"},
+            {{"system", text,
+              "System that made the clip, or that the questionnaire's answer rates; of a pair the one on the "
+              "left"},
+             "coalesce(system, " + ratedBy("system") + ")"},
             {{"other_system", text, "Of a pair: the one on the right"}, "other_system"},
             {{"item", text, "Item (target) that the clip is for"}, "item"},
-            {{"scored", truth, "1: counts in the analysis; 0: practice, an attention check, a page"},
-             "scored"},
+            {{"scored", truth, "1: counts in the analysis; 0: practice, an attention check, another page"},
+             "CASE WHEN " + ratedBy("system") + " IS NULL THEN scored ELSE 1 END"},
             {{"value", number,
               "The answer as a number; a preference runs from -2 (clearly left, system) to 2 (clearly right, "
               "other_system)"},
@@ -143,7 +154,7 @@ ExportTable responsesTable() {
             {{"ray_dx", number, "Pointing ray at the answer: unit direction"}, "ray_dx"},
             {{"ray_dy", number, ""}, "ray_dy"},
             {{"ray_dz", number, ""}, "ray_dz"},
-            {{"station", text, "desktop, headset or simulated"}, "station"},
+            {{"station", text, "desktop, headset, studio or simulated"}, "station"},
             {{"synthetic", truth, "1: a simulated participant answered; no evidence about people"},
              "synthetic"},
         }};
@@ -210,7 +221,7 @@ ExportTable sessionsTable() {
         {
             participant_column,
             {{"session", whole, "One session of a participant with the program"}, "id", Privacy::session},
-            {{"station", text, "desktop, headset or simulated"}, "station"},
+            {{"station", text, "desktop, headset, studio or simulated"}, "station"},
             {{"station_details", text, "Device, driver, display"}, "station_details", Privacy::left_out},
             {{"synthetic", truth, "1: a simulated participant answered; no evidence about people"},
              "synthetic"},
@@ -247,7 +258,8 @@ ExportTable eventsTable() {
                 {{"detail", text, "Details"},
                  "detail",
                  Privacy::kept,
-                 "CASE WHEN kind LIKE 'operator\\_%' ESCAPE '\\' OR kind = 'quit' THEN '' ELSE detail END"},
+                 "CASE WHEN kind LIKE 'operator\\_%' ESCAPE '\\' OR kind IN ('quit', 'edit') THEN '' ELSE "
+                 "detail END"},
             }};
 }
 

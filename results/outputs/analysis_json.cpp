@@ -1,5 +1,6 @@
 #include "results/outputs/analysis_json.hpp"
 
+#include "results/answers/motion_origin.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/outputs/observers_json.hpp"
 
@@ -225,6 +226,10 @@ std::string analysisJson(const AnalysisResult& result) {
     Json out;
     addProvenance(out, result);
     out["systems"] = systemsJson(result);
+    out["not_compared"] = tableJson(tables::notCompared(result));
+    out["synthetic_systems"] = Json::object();
+    for (const auto& [system, motion] : syntheticSystems(result.table))
+        out["synthetic_systems"][system] = motion;
     addLevels(out, result);
     out["omnibus"] = tableJson(tables::omnibus(result));
     out["pairwise"] = tableJson(tables::pairwise(result));

@@ -71,6 +71,7 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
                                                                 TableFormat format) {
     const bool csv = format == TableFormat::csv;
     std::vector<Table> all{tables::means(result), tables::levels(result)};
+    append(all, {tables::notCompared(result)});
     append(all, tablesOfOneStudy(result));
     append(all, {tables::observers(result.observers), tables::angles(result), tables::targetSpace(result),
                  tables::measuredSpace(result), tables::objectiveMeans(result),

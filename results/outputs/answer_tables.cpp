@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "results/answers/motion_origin.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/statistics/descriptive.hpp"
 #include "test_fields.hpp"
@@ -85,6 +86,22 @@ Table means(const AnalysisResult& result) {
                                           100.0 * result.level),
                               joined(std::move(fields), meanFields()), rows),
                       result);
+}
+
+Table notCompared(const AnalysisResult& result) {
+    std::vector<SystemMeasure> rows;
+    for (std::size_t m = 0; m < result.measures.size(); ++m)
+        for (const SystemResult& system : result.not_compared)
+            rows.push_back({system.system, &result.measures[m], &system.measures[m]});
+    Fields<SystemMeasure> fields{
+        {"measure", [](auto& one) { return one.measure->name; }, {.heading = true}},
+        {"system", &SystemMeasure::system},
+        {"motion", [&](auto& one) { return motionText(result.table, one.system); }},
+        {"remark", [&](auto& one) { return result.table.not_compared.at(one.system); }}};
+    return withScales(
+        tableOf("not_compared", units::means, "Systems that are not compared: means of participants' means",
+                joined(std::move(fields), meanFields()), rows),
+        result);
 }
 
 Table levels(const AnalysisResult& result, const std::string& factor, const char* key) {

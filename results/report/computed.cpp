@@ -41,9 +41,15 @@ Computed::Computed(const AnalysisResult& result) {
     for (const PreferenceBetweenResult& one : result.preferences_between)
         preferences_of_groups = preferences_of_groups || one.test.p_two_sided;
     interactions = interactions || !result.group_interactions.empty();
-    friedman = result.table.systems.size() > 2 &&
-               std::any_of(result.omnibus.begin(), result.omnibus.end(),
-                           [](const OmnibusResult& one) { return one.test.chi2.has_value(); });
+    friedman = std::any_of(result.omnibus.begin(), result.omnibus.end(), [&](const OmnibusResult& one) {
+        return one.test.chi2.has_value() && tellsFriedman(result, one.measure);
+    });
+}
+
+bool tellsFriedman(const AnalysisResult& result, const std::string& measure) {
+    if (result.table.systems.size() > 2) return true;
+    return std::any_of(result.measures.begin(), result.measures.end(),
+                       [&](const Measure& one) { return one.name == measure && one.surveyed; });
 }
 
 bool isPointing2023(const ResponseTable& table) {

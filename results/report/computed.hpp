@@ -10,7 +10,7 @@ struct Computed {
     bool pairs = false;    ///< signed-rank tests of pairs of systems; like all tests from two participants on
     bool ratings = false;  ///< single ones, of pairs of systems
     bool author_trials = false;
-    bool friedman = false;  ///< of three systems and more
+    bool friedman = false;  ///< that is told
     bool levels = false;    ///< of within-participants factors
     bool preferences = false;
     bool chance = false;
@@ -38,6 +38,10 @@ struct Computed {
         return systems_apart || groups || preferences_of_groups || scores_of_groups || times_of_groups;
     }
 };
+
+/// Whether Friedman's test of a measure is told: of two systems the pair says as much, but a questionnaire's
+/// ratings are reported by it (Yoon et al. 2021, 7.1.2).
+[[nodiscard]] bool tellsFriedman(const AnalysisResult& result, const std::string& measure);
 
 /// The study that Deichler et al. (2023) ran, as it ships or changed in what a study file may change.
 [[nodiscard]] bool isPointing2023(const ResponseTable& table);

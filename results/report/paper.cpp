@@ -16,6 +16,7 @@
 #include "results/analysis/several_studies.hpp"
 #include "results/page/html_table.hpp"
 #include "results/page/page.hpp"
+#include "synthetic_motion.hpp"
 
 namespace deixis::results {
 
@@ -47,15 +48,10 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
         out.emplace_back(
             "Answers come from simulated participants: they show that the pipeline works and what a study of "
             "this size could find, but nothing about people.");
-    if (const auto count = table.built_in_systems.size(); count > 0) {
-        std::vector<std::string> names;
-        for (const std::string& one : table.built_in_systems) names.push_back(escapeHtml(one));
-        out.push_back(fmt::format(
-            "The motion of {} is synthetic: this program made it, by formulas or by what was learned "
-            "from demonstrations that follow them. Answers about it say nothing about recorded "
-            "motion, or about a method that was trained on it.",
-            inSentence(names)));
-    }
+    if (std::string motion = syntheticMotionText(table); !motion.empty()) out.push_back(std::move(motion));
+    for (const auto& [system, remark] : table.not_compared)
+        out.push_back(fmt::format("{} was shown, but is not compared: {}", systemWithMotion(table, system),
+                                  escapeHtml(remark)));
     if (!result.by_study.empty())
         out.emplace_back(
             "Participants were not assigned to the studies by this program: a difference between studies may "
@@ -137,11 +133,15 @@ Section designSection(const AnalysisResult& result, Numbering& figures) {
     const auto entry = [&](const std::string& name, const std::string& html) {
         facts.push_back({name, html});
     };
-    if (!table.systems.empty())
-        entry("Systems", fmt::format("{}: {}{}", table.systems.size(), inSentence(escaped(table.systems)),
+    std::vector<std::string> systems;
+    for (const std::string& system : table.systems) systems.push_back(systemWithMotion(table, system));
+    if (!systems.empty())
+        entry("Systems", fmt::format("{}: {}{}", table.systems.size(), inSentence(systems),
                                      table.systems.size() < 2           ? ""
                                      : systemsMeetInParticipants(table) ? " (within participants)"
                                                                         : " (between participants)"));
+    for (const auto& [system, remark] : table.not_compared)
+        entry("Not compared", fmt::format("{}: {}", systemWithMotion(table, system), escapeHtml(remark)));
     if (!table.measures.empty()) entry("Measures", inSentence(measureTexts(table)));
     for (const Factor& factor : withinFactors(table))
         entry("Within participants",

@@ -241,7 +241,7 @@ std::string meansSentence(const AnalysisResult& result, std::size_t index) {
 
 std::string friedmanSentence(const AnalysisResult& result, const std::string& measure) {
     for (const OmnibusResult& one : result.omnibus)
-        if (one.measure == measure && one.test.chi2)
+        if (one.measure == measure && one.test.chi2 && tellsFriedman(result, measure))
             return fmt::format(
                 " Friedman's test of all systems: χ²({}) = {}, n = {}, p {}, Kendall's "
                 "W = {}.",

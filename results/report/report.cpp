@@ -17,6 +17,7 @@
 #include "results/report/report.hpp"
 #include "sections.hpp"
 #include "studies.hpp"
+#include "synthetic_motion.hpp"
 #include "tests.hpp"
 
 namespace deixis::results {
@@ -196,17 +197,23 @@ std::string headOf(const AnalysisResult& result) {
         pageStart(table.study_title + " \u2013 report", table.study_title) +
         paragraphHtml(
             fmt::format(
-                "{}{} \u00b7 {} analysed{} \u00b7 {}{}",
+                "{}{} \u00b7 {} analysed{} \u00b7 {}{}{}",
                 result.by_study.empty() ? "" : fmt::format("{} studies \u00b7 ", result.by_study.size()),
                 counted(result.participants, "participant", "participants"),
                 counted(number(table.rows.size()), "answer", "answers"), answersByMeasure(table),
                 counted(number(table.systems.size()), "system", "systems"),
+                table.not_compared.empty()
+                    ? ""
+                    : fmt::format(" and {} that {} not compared", table.not_compared.size(),
+                                  table.not_compared.size() == 1 ? "is" : "are"),
                 table.stations.empty() ? "" : " \u00b7 station: " + stationKinds(table)),
             ParagraphLook::lead);
     if (result.synthetic)
         out += titledParagraph(
             "Simulated participants:", "these numbers test the pipeline and are no evidence about people.",
             ParagraphLook::synthetic);
+    if (const std::string motion = syntheticMotionText(table); !motion.empty())
+        out += titledParagraph("Synthetic motion:", motion, ParagraphLook::synthetic);
     return out + findingsHtml(result);
 }
 
@@ -230,6 +237,7 @@ std::string renderReport(const AnalysisResult& result) {
     // Figures and tables count: braces, from the first to the last.
     std::vector<Section> sections{designSection(result, figures),
                                   meansSection(result, tables),
+                                  notComparedSection(result, tables),
                                   studiesSection(result, tables),
                                   testsSection(result, tables),
                                   differencesSection(result, figures),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "computed.hpp"
 #include "interactions.hpp"
 #include "ratings.hpp"
 #include "results/outputs/analysis_tables.hpp"
@@ -105,10 +106,11 @@ std::string preferenceTable(const AnalysisResult& result, const std::string& whe
 }
 
 std::string omnibusTable(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
-    if (result.table.systems.size() < 3) return "";  // with two systems the pair says as much
     Table table = tables::omnibus(result);
-    std::erase_if(table.rows,
-                  [place = table.at("chi2")](const auto& row) { return row.cells[place].empty(); });
+    const std::size_t of = table.at("measure"), chi2 = table.at("chi2");
+    std::erase_if(table.rows, [&](const auto& row) {
+        return row.cells[chi2].empty() || !tellsFriedman(result, row.cells[of].text());
+    });
     if (table.rows.empty()) return "";
     return tableHtml(
         table,

@@ -44,6 +44,12 @@ std::filesystem::path lockFile(const std::filesystem::path& database, const std:
     return path;
 }
 
+std::filesystem::path workFile(const std::filesystem::path& database, const std::string& participant) {
+    std::filesystem::path path = database;
+    path += "." + fileNamePart(participant) + ".work";
+    return path;
+}
+
 Result<std::optional<ParticipantLock>> ParticipantLock::tryTake(const std::filesystem::path& database,
                                                                 const std::string& participant) {
     const std::filesystem::path path = lockFile(database, participant);

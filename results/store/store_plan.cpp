@@ -43,6 +43,31 @@ Json leaveOutJson(const studies::LeaveOutRule& rule) {
     return out;
 }
 
+/// What reports must say of systems; those of which there is nothing to say are not among them.
+Json systemsJson(const std::vector<studies::SystemSource>& systems) {
+    Json out = Json::object();
+    for (const studies::SystemSource& system : systems) {
+        if (!system.processing.empty()) out[system.name]["processing"] = system.processing;
+        if (system.compared) continue;
+        out[system.name]["compared"] = false;
+        out[system.name]["remark"] = system.remark;
+    }
+    return out;
+}
+
+/// Questions whose answers rate a system.
+Json ratesJson(const std::vector<studies::Stage>& stages) {
+    Json out = Json::array();
+    for (const studies::Stage& stage : stages)
+        for (const studies::Question& question : stage.questionnaire.questions)
+            if (question.rates)
+                out.push_back({{"stage", stage.name},
+                               {"question", question.id},
+                               {"measure", question.rates->measure},
+                               {"system", question.rates->system}});
+    return out;
+}
+
 }  // namespace
 
 std::optional<studies::StudyPlan> Store::Impl::plan(const std::string& participant) {
@@ -148,14 +173,18 @@ void Store::Impl::insertStudy(const studies::Study& study, const std::string& lo
     row << Json{{"stations", study.stations_together ? "together" : "apart"},
                 {"unit", study.by_ratings ? "ratings" : "participants"},
                 {"equivalence", Json(study.equivalence)},
-                {"leave_out", leaveOutJson(study.leave_out)}}
+                {"leave_out", leaveOutJson(study.leave_out)},
+                {"systems", systemsJson(study.systems)},
+                {"rates", ratesJson(study.stages)}}
                .dump();
     row.run();
     int position = 0;
     for (const auto& system : study.systems) {
         auto insert = query("INSERT INTO systems VALUES (?, ?, ?, ?, ?)");
         insert << position++ << system.name;
-        insert.textOrNull(system.generator).textOrNull(system.manifest) << Json(system.levels).dump();
+        insert.textOrNull(system.generator)
+                .textOrNull(system.projects.empty() ? system.manifest : system.projects)
+            << Json(system.levels).dump();
         insert.run();
     }
     position = 0;

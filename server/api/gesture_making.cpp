@@ -7,10 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "motion/speech_gestures/finishing.hpp"
-#include "motion/speech_gestures/speech_gestures.hpp"
-#include "motion/unit_gestures/restyle.hpp"
-#include "motion/unit_gestures/rule_set_a.hpp"
+#include "motion/authoring/authored_gestures.hpp"
 #include "motion_json.hpp"
 #include "speech/sound/sound.hpp"
 
@@ -22,9 +19,6 @@ using nlohmann::json;
 
 constexpr double last_frame = max_motion_frames - 1;
 constexpr std::size_t max_controls = 1000;
-constexpr const char* model_system = "model";
-constexpr const char* rules_system = "rules";
-constexpr const char* keyframes_system = "keyframes";
 
 /// By frame: the pose, and the 27 numbers as they were asked for.
 struct AskedPose {
@@ -114,8 +108,7 @@ tl::expected<std::optional<AskedKeep>, Refusal> keptFrames(const json& asked, st
 
 /// What a request wants.
 struct Wanted {
-    std::size_t count = 0;  ///< frames
-    AskedPoses poses;       ///< where nothing is kept
+    AskedPoses poses;  ///< where nothing is kept
     std::vector<motion::StyleControl> styles;
     std::optional<AskedKeep> keep;
     bool exact = false;
@@ -125,7 +118,6 @@ struct Wanted {
 
 tl::expected<Wanted, Refusal> wantedOf(const json& asked, std::size_t count) {
     Wanted out;
-    out.count = count;
     auto styles = wantedStyles(asked, count);
     if (!styles) return tl::unexpected(styles.error());
     out.styles = std::move(*styles);
@@ -149,67 +141,41 @@ std::vector<motion::PoseControl> controlsOf(const AskedPoses& poses) {
     return out;
 }
 
-motion::UpperBodyMotion byRules(const KeptSpeech& speech, const motion::GestureLibrary& library,
-                                const Wanted& wanted) {
-    motion::UpperBodyMotion out =
-        motion::gesturesByRuleSetA(speech.spoken.utterance, library, wanted.seed).motion;
-    if (wanted.styles.empty()) return out;
-    std::vector<motion::WantedStyle> styles;
-    for (const motion::StyleControl& one : wanted.styles)
-        styles.push_back({one.speed, one.space, one.handedness});
-    return motion::restyled(out, styles);
-}
-
-tl::expected<motion::UpperBodyMotion, Refusal> byModel(const KeptSpeech& speech,
-                                                       const motion::SpeechGestureModel& model,
-                                                       const Wanted& wanted) {
-    const speech::Sound sound = speech::resampled(speech.spoken.sound, motion::speech_rate_hz);
-    motion::SpeechGestureRequest request;
-    request.samples = sound.samples;
-    request.utterance = speech.spoken.utterance;
-    request.duration_s = speech.spoken.utterance.duration_s;
-    request.poses = controlsOf(wanted.poses);
-    request.styles = wanted.styles;
-    request.variety = wanted.variety;
-    request.seed = wanted.seed;
-    if (wanted.keep) {
+/// `exactly`: by frame, the numbers of all poses that are met to the bit, as they were asked for.
+tl::expected<motion::WantedGestures, Refusal> wantedGestures(const json& asked, std::size_t count,
+                                                             const motion::UpperBodyPose& rest,
+                                                             AskedPoses& exactly) {
+    auto wanted = wantedOf(asked, count);
+    if (!wanted) return tl::unexpected(wanted.error());
+    motion::WantedGestures out;
+    out.maker = *motion::gestureMakerFromName(asked["system"].get<std::string>());
+    const bool by_model = out.maker == motion::GestureMaker::model;
+    if (out.maker == motion::GestureMaker::rules && wanted->variety > 0.0)
+        return refuse("found it with the system rules, which varies by its seed", "variety");
+    if (out.maker == motion::GestureMaker::keyframes)
+        for (const auto& [there, field] :
+             {std::pair(!wanted->styles.empty(), "style_controls"),
+              std::pair(wanted->keep.has_value(), "keep"), std::pair(wanted->variety > 0.0, "variety")})
+            if (there)
+                return refuse("found it with the system keyframes, which takes pose_controls alone", field);
+    out.poses = controlsOf(wanted->poses);
+    out.styles = std::move(wanted->styles);
+    out.exact = wanted->exact;
+    out.variety = wanted->variety;
+    out.seed = wanted->seed;
+    out.still = asked["still"];
+    out.fade = asked["fade"];
+    if (wanted->keep) {
         motion::KeptMotion keep;
-        keep.motion.frames.resize(wanted.count, model.meanPose());
-        for (const auto& [frame, pose] : wanted.keep->poses)
+        keep.motion.frames.resize(count, rest);
+        for (const auto& [frame, pose] : wanted->keep->poses)
             keep.motion.frames[static_cast<std::size_t>(frame)] = pose.pose;
-        keep.changed = {wanted.keep->changed};
-        request.keep = std::move(keep);
+        keep.changed = {wanted->keep->changed};
+        out.keep = std::move(keep);
+        exactly = std::move(wanted->keep->poses);
     }
-    auto made = model.generate(request);
-    if (!made) return tl::unexpected(refusalOf(made.error()));
-    return std::move(*made);
-}
-
-/// Keyframes alone (Yoon et al. 2021, section 7, MANUAL).
-tl::expected<motion::UpperBodyMotion, Refusal> byKeyframes(const Wanted& wanted,
-                                                           const motion::UpperBodyPose& ends) {
-    for (const auto& [there, field] :
-         {std::pair(!wanted.styles.empty(), "style_controls"), std::pair(wanted.keep.has_value(), "keep"),
-          std::pair(wanted.variety > 0.0, "variety")})
-        if (there)
-            return refuse("found it with the system keyframes, which takes pose_controls alone", field);
-    return motion::motionThroughKeyframes(controlsOf(wanted.poses), wanted.count, ends);
-}
-
-/// From where the last word or the last pose ends; of a range that is made anew only where it reaches the
-/// end.
-std::optional<std::size_t> fadeStart(const Utterance& utterance, const Wanted& wanted) {
-    double from_s = 0.0;
-    for (const SpokenWord& word : utterance.words) from_s = std::max(from_s, word.end_s);
-    auto first = static_cast<std::size_t>(from_s * motion::upper_body_fps);
-    // At least half a second, in which hands can come down.
-    constexpr std::size_t least_frames = 8;
-    if (wanted.count > least_frames) first = std::min(first, wanted.count - least_frames);
-    if (!wanted.poses.empty())
-        first = std::max(first, static_cast<std::size_t>(wanted.poses.rbegin()->first));
-    if (!wanted.keep) return first;
-    if (static_cast<std::size_t>(wanted.keep->changed.end) < wanted.count) return std::nullopt;
-    return std::max(first, static_cast<std::size_t>(wanted.keep->changed.begin));
+    if (out.exact || !by_model) exactly.merge(wanted->poses);
+    return out;
 }
 
 }  // namespace
@@ -255,46 +221,41 @@ ShapeField relaxedFingersField() {
 tl::expected<MadeGestures, Refusal> gesturesTo(const KeptSpeech& speech, const StudioParts& parts,
                                                const json& asked) {
     const Utterance& utterance = speech.spoken.utterance;
-    auto wanted = wantedOf(asked, motion::frameCountOf(utterance.duration_s));
+    const motion::GestureParts makers = gestureParts(parts);
+    AskedPoses exactly;
+    const auto wanted =
+        wantedGestures(asked, motion::frameCountOf(utterance.duration_s), makers.restPose(), exactly);
     if (!wanted) return tl::unexpected(wanted.error());
-    const std::string system = asked["system"];
-    const motion::UpperBodyPose rest = restPose(parts);
-    MadeGestures out;
-    if (system == rules_system) {
-        if (wanted->variety > 0.0)
-            return refuse("found it with the system rules, which varies by its seed", "variety");
-        out.motion = byRules(speech, parts.library, *wanted);
-    } else {
-        auto made =
-            system == keyframes_system ? byKeyframes(*wanted, rest) : byModel(speech, *parts.model, *wanted);
-        if (!made) return tl::unexpected(made.error());
-        out.motion = std::move(*made);
-    }
-    const bool still = asked["still"], fade = asked["fade"];
-    if (still) motion::holdStill(out.motion);
-    if (fade)
-        if (const auto first = fadeStart(utterance, *wanted)) motion::fadeTo(out.motion, *first, rest);
-    // What comes back to the bit: what is kept, and poses but where the model alone is to meet them.
-    AskedPoses met = wanted->keep ? std::move(wanted->keep->poses) : AskedPoses();
-    if (wanted->exact || system != model_system) met.merge(wanted->poses);
-    if (!met.empty()) motion::meetPoses(out.motion, controlsOf(met));
+    const speech::Sound sound = wanted->maker == motion::GestureMaker::model
+                                    ? speech::resampled(speech.spoken.sound, motion::speech_rate_hz)
+                                    : speech::Sound{};
+    auto made = motion::gesturesTo({sound.samples, utterance}, makers, *wanted);
+    if (!made) return tl::unexpected(refusalOf(made.error()));
+    MadeGestures out{std::move(*made), {}};
     out.frames = framesJson(out.motion);
-    for (auto& [frame, pose] : met) out.frames[static_cast<std::size_t>(frame)] = std::move(pose.numbers);
+    for (auto& [frame, pose] : exactly) out.frames[static_cast<std::size_t>(frame)] = std::move(pose.numbers);
     return out;
 }
 
+motion::GestureParts gestureParts(const StudioParts& parts) {
+    return {parts.library, parts.model ? &*parts.model : nullptr};
+}
+
 motion::UpperBodyPose restPose(const StudioParts& parts) {
-    return parts.model ? parts.model->meanPose() : motion::relaxedUpperBody();
+    return gestureParts(parts).restPose();
 }
 
 std::vector<GestureSystem> gestureSystems(const StudioParts& parts) {
     std::vector<GestureSystem> out;
     if (parts.model)
-        out.push_back({model_system,
+        out.push_back({std::string(motion::gestureMakerName(motion::GestureMaker::model)),
                        parts.model->synthetic(),
                        {"pose_controls", "style_controls", "keep", "exact", "variety"}});
-    out.push_back({rules_system, true, {"pose_controls", "style_controls", "keep"}});
-    out.push_back({keyframes_system, false, {"pose_controls"}});
+    out.push_back({std::string(motion::gestureMakerName(motion::GestureMaker::rules)),
+                   true,
+                   {"pose_controls", "style_controls", "keep"}});
+    out.push_back(
+        {std::string(motion::gestureMakerName(motion::GestureMaker::keyframes)), false, {"pose_controls"}});
     for (GestureSystem& one : out) one.takes.insert(one.takes.end(), {"fade", "still", "relaxed_fingers"});
     return out;
 }

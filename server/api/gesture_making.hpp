@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "motion/upper_body/upper_body.hpp"
+#include "motion/authoring/authored_gestures.hpp"
 #include "studio_work.hpp"
 
 namespace deixis::server {
@@ -36,8 +36,8 @@ struct GestureSystem {
 };
 [[nodiscard]] std::vector<GestureSystem> gestureSystems(const StudioParts& parts);
 
-/// Where a motion begins and ends by itself: the mean pose of the model's training motions; without a model
-/// the body at ease.
+[[nodiscard]] motion::GestureParts gestureParts(const StudioParts& parts);
+/// Where a motion begins and ends by itself.
 [[nodiscard]] motion::UpperBodyPose restPose(const StudioParts& parts);
 
 }  // namespace deixis::server

@@ -78,10 +78,14 @@ TEST_SUITE("assets/studio_project") {
               std::string::npos);
         CHECK(tests::contains(problemOf(changed("/version", 3)),
                               "mall.json.version: found 3, expected at most 2"));
+        json silent = changed("/document/speech", nullptr);
+        silent["document"]["text"] = " \n";
+        CHECK(tests::contains(problemOf(silent), "document.speech: is not there yet"));
+        json recorded = changed("/document/speech", nullptr);
+        recorded["document"]["recording"] = {{"id", "1"}};
+        CHECK(tests::contains(problemOf(recorded), "document.speech: is not there yet"));
         CHECK(tests::contains(problemOf(changed("/document/motion", nullptr)),
-                              "document.motion: is not there yet"));
-        CHECK(tests::contains(problemOf(changed("/document/speech", nullptr)),
-                              "document.speech: is not there yet"));
+                              "document.poseControls[0].start: found null, expected a number"));
         CHECK(tests::contains(problemOf(changed("/document/speech/wav", "?")), "speech.wav"));
         CHECK(tests::contains(problemOf(changed("/document/speech/words/1/start_s", "soon")),
                               "speech.words[1].start_s: found \"soon\""));
@@ -92,6 +96,67 @@ TEST_SUITE("assets/studio_project") {
         CHECK(tests::contains(problemOf(changed("/document/speech/duration_s", 1e12)), "duration_s"));
         CHECK(tests::contains(problemOf(changed("/document/bypass", 5)), "document.bypass: found 5"));
         CHECK_FALSE(assets::readStudioProject("/nowhere/mall.json").has_value());
+    }
+
+    TEST_CASE("Of a project without gestures what they are to be made of is read, as the page asks for it") {
+        json file = changed("/document/motion", nullptr);
+        json& document = file["document"];
+        document["system"] = "model";
+        document["seed"] = 7;
+        document["bypass"]["style"] = false;
+        document["poseControls"] =
+            json::array({{{"start", 0}, {"length", 3}, {"base", {frame(), frame()}}, {"mirrored", true}}});
+        document["styleControls"] =
+            json::array({{{"start", 0},
+                          {"length", 3},
+                          {"speed", {{{"at", 0}, {"value", -1}}, {{"at", 1}, {"value", 2}}}},
+                          {"space", 0.5},
+                          {"handedness", nullptr}}});
+        const auto read = assets::parseStudioProject(file.dump(), "x.json");
+        REQUIRE_MESSAGE(read.has_value(), (read ? "" : read.error().text()));
+        CHECK(read->motion.frames.empty());
+        const auto wanted = assets::wantedOf(*read, 3);
+        REQUIRE_MESSAGE(wanted.has_value(), (wanted ? "" : wanted.error().text()));
+        CHECK(wanted->maker == motion::GestureMaker::model);
+        CHECK(wanted->seed == 7);
+        REQUIRE(wanted->poses.size() == 3);
+        CHECK(wanted->poses[1].frame == 1);
+        REQUIRE(wanted->styles.size() == 3);
+        CHECK(wanted->styles[0].speed == -1.0);
+        CHECK(wanted->styles[1].speed == 0.5);
+        CHECK(wanted->styles[2].speed == 2.0);
+        CHECK(wanted->styles[1].space == 0.5);
+        CHECK_FALSE(wanted->styles[1].handedness.has_value());
+        CHECK(tests::contains(assets::wantedOf(*read, 2).error().text(),
+                              "poseControls[0]: ends at frame 3, expected at most 2"));
+        document["system"] = "magic";
+        CHECK(tests::contains(problemOf(file), "document.system: found \"magic\""));
+        document["system"] = "keyframes";
+        const auto by_hand = assets::parseStudioProject(file.dump(), "x.json");
+        CHECK(assets::wantedOf(*by_hand, 3)->styles.empty());
+
+        // What authors begin with.
+        const auto begun = assets::parseStudioProject(assets::withoutControls(whole().dump()), "x.json");
+        REQUIRE_MESSAGE(begun.has_value(), (begun ? "" : begun.error().text()));
+        CHECK(begun->motion.frames.empty());
+        CHECK(begun->pose_controls == 0);
+        CHECK(begun->style_controls == 0);
+        CHECK(begun->wav == "RIFF");
+        CHECK(begun->text == "Hello there.");
+    }
+
+    TEST_CASE("A project without a speech is read by its text and voice") {
+        json file = changed("/document/speech", nullptr);
+        file["document"]["motion"] = nullptr;
+        file["document"]["poseControls"] = json::array();
+        file["document"]["voice"] = "slt";
+        file["author"] = "A1";
+        const auto read = assets::parseStudioProject(file.dump(), "x.json");
+        REQUIRE_MESSAGE(read.has_value(), (read ? "" : read.error().text()));
+        CHECK(read->text == "Hello there.");
+        CHECK(read->voice == "slt");
+        CHECK(read->author == "A1");
+        CHECK(read->wav.empty());
     }
 
     TEST_CASE("Base64 of RFC 4648, section 10") {

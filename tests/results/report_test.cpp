@@ -78,7 +78,9 @@ TEST_SUITE("results/report") {
         fixtures::fill(folder / "a.sqlite", fixtures::study(systems), 12, 5, true, {0.86, 0.95, 0.83, 0.46},
                        {3.9, 4.6, 2.9, 4.3}, fixtures::everything);
         const Page page = pageOf(folder / "a.sqlite", "for-the-paper");
-        CHECK(contains(page.text, "4: demonstration-nn, direct, stiff and drifting (within participants)"));
+        CHECK(contains(page.text,
+                       "4: demonstration-nn (synthetic), direct (synthetic), stiff (synthetic) and drifting "
+                       "(synthetic) (within participants)"));
         CHECK(contains(page.text, "12 of 12 planned have answered"));
         CHECK(contains(page.text, "720 in all, 60 per participant"));
         CHECK(

@@ -20,6 +20,7 @@ struct StudyClip {
     std::string bytes;        ///< of the file, on the avatar
     std::string extension;    ///< of the file: ".bvh"
     std::string sound{};      ///< bytes of the WAV file that is heard with it; empty: none is
+    std::string project{};    ///< bytes of the studio's project that it was made of; empty: of none
 };
 
 /// Takes a clip; of one system after another in the order of its manifest, of several systems at once.

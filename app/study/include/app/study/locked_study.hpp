@@ -34,6 +34,11 @@ struct LockedStudy {
     }
 };
 
+/// Where a set has the project that a clip of it was made of.
+[[nodiscard]] inline std::filesystem::path projectBeside(const std::filesystem::path& clip) {
+    return clip.string() + ".json";
+}
+
 /// What is locked beside the setup itself.
 struct LockRequest {
     std::filesystem::path database;

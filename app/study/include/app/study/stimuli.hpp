@@ -25,6 +25,7 @@ class StimulusLibrary : public studies::ClipSource {
 
     [[nodiscard]] const motion::Clip& clip(const studies::Stimulus& stimulus) const override;
     [[nodiscard]] const studies::ClipSound* sound(const studies::Stimulus& stimulus) const override;
+    [[nodiscard]] const std::string* project(const studies::Stimulus& stimulus) const override;
     /// All that is heard in the given plans, by ClipSound::id: the name in the locked set.
     [[nodiscard]] const std::map<std::string, speech::Sound>& sounds() const { return sounds_; }
     [[nodiscard]] results::ClipRecords records() const;
@@ -34,6 +35,7 @@ class StimulusLibrary : public studies::ClipSource {
         motion::Clip clip;
         results::ClipRecord record;
         studies::ClipSound sound{};  ///< without an id where nothing is heard
+        std::string project{};       ///< empty: it is made of none
     };
     std::map<studies::Stimulus, Loaded> clips_;
     std::map<std::string, speech::Sound> sounds_;

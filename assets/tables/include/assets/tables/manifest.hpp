@@ -24,6 +24,8 @@ enum class TargetFrame : unsigned char { clip, figure };
 inline constexpr std::string_view physics_projected = "physics-projected";
 /// Of clips that a system has made which was learned from demonstrations that nobody made.
 inline constexpr std::string_view learned_from_synthetic = "learned-from-synthetic";
+/// Of clips that were made by rules or formulas.
+inline constexpr std::string_view made_by_rules = "synthetic";
 
 /// One clip. Gestures that point at nothing have no target, and none of the phases.
 struct ManifestRow {

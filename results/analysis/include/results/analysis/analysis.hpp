@@ -377,6 +377,7 @@ struct AnalysisResult {
     bool synthetic = false;         ///< some answers come from simulated participants
     std::vector<Measure> measures;  ///< accuracy and ratings; preferences stand apart
     std::vector<SystemResult> systems;
+    std::vector<SystemResult> not_compared;  ///< ResponseTable::not_compared, in the order of the systems
     std::vector<LevelResult> levels;
     std::vector<OmnibusResult> omnibus;
     std::vector<Comparison> pairwise;

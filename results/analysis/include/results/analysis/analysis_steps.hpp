@@ -6,6 +6,10 @@
 
 namespace deixis::results {
 
+/// Takes the systems that are not compared out of the table, with their answers, and summarises them by
+/// themselves. Needs the measures.
+void setAside(AnalysisResult& result);
+
 /// Means of the levels of each within-participants factor, and tests of all pairs of levels.
 void compareLevels(AnalysisResult& result);
 

@@ -32,8 +32,9 @@ struct Measure {
     int min_balls = 0;  ///< likewise, the fewest
     /// Within which a difference counts as none that matters, declared before; 0: none was.
     double equivalence_bound = 0.0;
-    std::string unit{};  ///< of a quantity that was measured: "cm"; empty: of a scale. Then `high` is the
-                         ///< answers' own end, rounded up
+    bool surveyed = false;  ///< of a questionnaire: each system is rated once, as a whole
+    std::string unit{};     ///< of a quantity that was measured: "cm"; empty: of a scale. Then `high` is the
+                            ///< answers' own end, rounded up
 };
 
 /// What answers or participants differ in, and its levels in the order of the tables.
@@ -151,6 +152,13 @@ struct ResponseTable {
     std::vector<std::string> systems{};  ///< in the study file's order
     /// Of them those whose clips the program made by a generator of its own: all synthetic.
     std::vector<std::string> built_in_systems{};
+    /// By system: what its manifest says was done to the clips ("learned-from-synthetic"); those of which
+    /// nothing is said are not in it. None: a database from before this was kept.
+    std::optional<std::map<std::string, std::string>> processing{};
+    /// Systems that the study does not compare, and why. analyse() takes them out of `systems`, and their
+    /// answers out of all rows into aside_rows.
+    std::map<std::string, std::string> not_compared{};
+    std::vector<ResponseRow> aside_rows{};
     std::vector<std::string> layouts{};    ///< of scored trials, likewise
     std::vector<std::string> distances{};  ///< likewise
     std::vector<Factor> within{};          ///< further within-participants factors

@@ -26,6 +26,8 @@ namespace tables {
 
 // Participants' means and single answers.
 [[nodiscard]] Table means(const AnalysisResult& result);
+/// The same of the systems that are not compared, with what their motion is, and why.
+[[nodiscard]] Table notCompared(const AnalysisResult& result);
 /// What `means` has of one system and measure, as JSON.
 [[nodiscard]] Json summaryJson(const Summary& summary);
 /// Of one factor, or all of them. `key`: what its level is called in JSON; "level" has the factor beside it.

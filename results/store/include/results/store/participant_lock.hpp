@@ -14,6 +14,10 @@ namespace deixis::results {
 [[nodiscard]] std::filesystem::path lockFile(const std::filesystem::path& database,
                                              const std::string& participant);
 
+/// Likewise "DATABASE.PARTICIPANT.work": what is authored in the trial under way.
+[[nodiscard]] std::filesystem::path workFile(const std::filesystem::path& database,
+                                             const std::string& participant);
+
 /// Keeps two runs of one participant in one database apart: holds an advisory lock on a file beside the
 /// database until destroyed, which removes the file. Where the process dies the lock ends, and the file stays
 /// until the next one.
