@@ -1,5 +1,6 @@
 // By mouse: gestures of one's own, rules, curves of style, poses that are tried and turned, the ball, and what makes it all.
 import assert from "node:assert/strict";
+import fs from "node:fs";
 import {drag, generate, middleOf, projectOf, sentence, still, undrawn, visit} from "./visit.mjs";
 
 const button = (page, name, exact = true) => page.getByRole("button", {name, exact});
@@ -33,16 +34,28 @@ async function ownGestures(page) {
   await tiles.first().click();
   assert.equal(await page.locator(".control.pose").count(), 1);
 
-  // The same name again, of a clip in a file.
+  // The same name again, of a clip in a file: another program's, then a project's.
   const {file} = await projectOf(page);
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "BVH").click()]);
+  const bvh = {name: "arms.bvh", mimeType: "text/plain", buffer: fs.readFileSync(await download.path())};
   await button(page, "Add own").click();
   await page.locator("dialog[open]").getByLabel("Name").fill("Here it is");
   await page.getByRole("radio", {name: "A clip in a file"}).click();
   await page.setInputFiles("#clip-file", {name: "none.json", mimeType: "application/json", buffer: Buffer.from("{}")});
-  await page.getByText("no frames").waitFor();
+  const wrong = () => page.waitForFunction(() => [...document.querySelectorAll("dialog[open] .problem-words")].some(one => one.textContent !== ""));
+  await wrong();
+  const reads = await page.evaluate(async () => "/v1/motions/read" in (await (await fetch("/v1/openapi.json")).json()).paths);
+  if (reads) {
+    await page.setInputFiles("#clip-file", {name: "arm.bvh", mimeType: "text/plain", buffer: Buffer.from("not a clip")});
+    await wrong();
+    await page.setInputFiles("#clip-file", bvh);
+    await page.getByText("arms.bvh").first().waitFor();
+    await page.locator("dialog[open]").getByRole("spinbutton", {name: "To"}).waitFor();
+    assert.equal(await page.locator("dialog[open] .problem-words").textContent(), "");
+  }
   await page.setInputFiles("#clip-file", file);
   await button(page, "Add to the library").click();
-  await page.waitForFunction(() => [...document.querySelectorAll("dialog[open] .problem-words")].some(one => one.textContent !== ""));
+  await wrong();
   await page.locator("dialog[open]").getByLabel("Name").fill("All of it");
   await button(page, "Add to the library").click();
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 2);
@@ -104,7 +117,7 @@ async function curves(page) {
   const label = page.locator(".control.style .hidden");
   assert.match(await label.textContent(), /speed a curve from 2\.0 to -/);
   const area = await page.locator(".curve").boundingBox();
-  await page.mouse.dblclick(area.x + area.width / 2, area.y + 8);
+  await page.mouse.dblclick(area.x + area.width / 2, area.y + 4);
   await page.waitForFunction(() => document.querySelectorAll(".curve-point").length === 3);
   const {speed} = (await documentOf(page)).styleControls[0];
   assert.ok(speed[1].value > 2 && speed[2].at < 0.95, JSON.stringify(speed));
@@ -226,7 +239,7 @@ async function systems(page) {
 }
 
 export async function authoring(place) {
-  const {page, context, said: complaints} = await visit(place, {expected: /409|412/, script: undrawn});
+  const {page, context, said: complaints} = await visit(place, {expected: /400|409|412/, script: undrawn});
   await generate(page, sentence);
   await still(page);
   const offers = {ownGestures: await has(page, "Add own"), rules: await has(page, "Rules"), curves: true, trying: true, allControls: true,

@@ -10,6 +10,11 @@ import {keeping} from "./keeping.mjs";
 import {looks} from "./looks.mjs";
 import {goesWrong} from "./goes_wrong.mjs";
 import {inStep} from "./in_step.mjs";
+import {sessionByKeyboard} from "./session_by_keyboard.mjs";
+import {sessionByMouse} from "./session_by_mouse.mjs";
+import {sessionGoesWrong} from "./session_goes_wrong.mjs";
+import {sessionLooks} from "./session_looks.mjs";
+import {sessionOfProgram} from "./session_of_program.mjs";
 import {tour} from "./tour.mjs";
 import {begin} from "./visit.mjs";
 
@@ -17,7 +22,8 @@ const [share, out, program] = process.argv.slice(2).map(word => path.resolve(wor
 const place = await begin({share, out, program});
 try {
   const only = process.env.ONLY?.split(",");
-  for (const [name, check] of Object.entries({inStep, byMouse, byKeyboard, authoring, authoringByKeys, keeping, looks, tour, goesWrong})) {
+  for (const [name, check] of Object.entries({inStep, byMouse, byKeyboard, authoring, authoringByKeys, keeping, looks, tour, goesWrong, sessionByMouse,
+    sessionByKeyboard, sessionGoesWrong, sessionLooks, sessionOfProgram})) {
     if (only && !only.includes(name)) continue;
     const begun = performance.now();
     const found = await check(place);

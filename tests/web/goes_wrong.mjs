@@ -35,12 +35,15 @@ async function rulesMeet(place) {
     await page.getByRole("button", {name: "Rules", exact: true}).click();
     await dialog.waitFor();
     await page.evaluate(async () => {
-      const now = await (await fetch("/v1/rules")).json();
-      await fetch("/v1/rules", {method: "PUT", headers: {"Content-Type": "application/json", "If-Match": `"${now.revision}"`}, body: JSON.stringify({rules: []})});
+      const [now, {motions: [first]}] = await Promise.all(["/v1/rules", "/v1/motions"].map(async path => (await fetch(path)).json()));
+      await fetch("/v1/rules", {method: "PUT", headers: {"Content-Type": "application/json", "If-Match": `"${now.revision}"`}, body: JSON.stringify({rules: [{word: `theirs${now.rules.length}`, motions: [first.id]}]})});
     });
     await dialog.getByRole("button", {name: "Add a rule"}).click();
     await dialog.getByRole("textbox").last().fill("mine");
     await dialog.getByRole("combobox").last().selectOption({index: 1});
+    for (let k = 0; k < 3; ++k) await page.keyboard.press("Escape");
+    await page.getByText("Not saved yet").waitFor();
+    assert.equal(await dialog.getByRole("textbox").last().inputValue(), "mine", "Escape drops nothing, however often");
     await dialog.getByRole("button", {name: "Save", exact: true}).click();
     await page.getByText("Somebody else has changed the rules").waitFor();
     await dialog.getByRole("button", {name: "Save mine over theirs"}).click();

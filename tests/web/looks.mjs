@@ -8,7 +8,7 @@ const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe
 const mostBytes = 3e6;
 const mostLoad_ms = 1000;
 
-async function inspected(page, where, part) {
+export async function inspected(page, where, part) {
   // Over the protocol, past the page's policy.
   await page.evaluate(axe);
   const {violations} = await page.evaluate(within => globalThis.axe.run(...within ? [within] : []), part);
@@ -18,12 +18,12 @@ async function inspected(page, where, part) {
 }
 
 // Nothing is wider or higher than the window, and no words of buttons are cut.
-async function fits(page, where) {
+export async function fits(page, where) {
   const found = await page.evaluate(() => {
     const {scrollWidth, scrollHeight, clientWidth, clientHeight} = document.documentElement;
     const cut = [...document.querySelectorAll(".button, h2, label, .state")].filter(one => one.checkVisibility() &&
         one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflow !== "visible").map(one => one.textContent);
-    const boxes = [...document.querySelectorAll(".panel, .stage, .timeline, .header")].map(one => one.getBoundingClientRect());
+    const boxes = [...document.querySelectorAll(".panel, .stage, .timeline, .header, .board")].map(one => one.getBoundingClientRect());
     const over = boxes.filter(box => box.right > clientWidth + 0.5 || box.bottom > clientHeight + 0.5).length;
     const outside = [...document.querySelectorAll(".panel")].flatMap(panel => [...panel.querySelectorAll("button, input, select, textarea")]
         .filter(one => one.checkVisibility() && one.getBoundingClientRect().right > panel.getBoundingClientRect().right).map(one => one.outerHTML.slice(0, 80)));

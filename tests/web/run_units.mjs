@@ -14,4 +14,4 @@ const esbuild = fs.readdirSync(path.join(web, "node_modules/@esbuild")).map(one 
 const tests = fs.readdirSync(path.join(here, "units")).map(one => path.join(here, "units", one));
 execFileSync(esbuild, [...tests, "--bundle", "--platform=node", "--format=esm", "--out-extension:.js=.mjs", "--log-level=warning", `--outdir=${out}`],
     {stdio: "inherit"});
-process.exitCode = spawnSync(process.execPath, ["--test", ...fs.readdirSync(out).map(one => path.join(out, one))], {stdio: "inherit"}).status ?? 1;
+process.exitCode = spawnSync(process.execPath, ["--test", ...fs.readdirSync(out).map(one => path.join(out, one))], {stdio: "inherit", env: {...process.env, TESTS_WEB: here}}).status ?? 1;

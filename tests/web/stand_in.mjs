@@ -168,18 +168,29 @@ const json = (response, status, body) => {
   response.end(status === 204 ? undefined : JSON.stringify(body));
 };
 
-function answer(request, response, body, log) {
-  const address = new URL(request.url, "http://local").pathname;
+function refused(response, problem) {
+  json(response, problem.status ?? 500, {error: {message: problem.message, field: problem.field ?? null}});
+}
+
+function answer(request, response, body, log, session) {
+  const {pathname: address, searchParams} = new URL(request.url, "http://local");
   const route = `${request.method} ${address}`;
-  const asked = body === "" ? null : body.startsWith("{") ? JSON.parse(body) : {text: /name="text"\r\n\r\n([^\r]*)/.exec(body)[1], form: body};
+  const asked = body === "" ? null : body.startsWith("{") ? JSON.parse(body) : {text: /name="text"\r\n\r\n([^\r]*)/.exec(body)?.[1], form: body};
   if (asked) log.push({route, asked});
   if (route === "GET /v1/health")
     return json(response, 200, {status: "ok", version: "0", commit: "0", systems: ["stand-in"], synthetic: true, folder: true, gestures: systems,
-      voices: [{name: "first", language: "en"}, {name: "second", language: "de"}], other_languages: true, mean_pose: poseOf({})});
+      voices: [{name: "first", language: "en"}, {name: "second", language: "de"}], other_languages: true, mean_pose: poseOf({}),
+      ...(session && {session: session.of})});
+  const during = session?.route(request.method, address, searchParams, asked);
+  if (during) return void during.then(made => json(response, 200, made), problem => refused(response, problem));
   if (route === "POST /v1/generate") return json(response, 200, generate(asked));
   if (route === "POST /v1/speech") {
     const speech = speechFor(asked);
     return json(response, 200, answerOf(speech));
+  }
+  if (route === "POST /v1/motions/read") {
+    if (!body.includes("HIERARCHY")) throw new Refusal("clip", "found no motion in it");
+    return json(response, 200, {format: "BVH", fps, frames: gestures[3].frames, remarks: ["It has no fingers."]});
   }
   if (route === "POST /v1/tracks") return json(response, 200, {tracks: tracksOf(asked.frames)});
   if (route === "POST /v1/export") {
@@ -196,15 +207,26 @@ function answer(request, response, body, log) {
   return null;
 }
 
-// Answers {server, log}: what was posted, in order.
-export function standIn(folder, avatar, port) {
+// A project as it may be given to an author: with what it says but not its sound, and with a motion or without any.
+export function givenProject(text, {moving = false, system = null} = {}) {
+  const speech = speechOf(text);
+  const frames = framesOf(speech, 1);
+  return {format: "deixis-studio", version: 2, fps, log: [], document: {name: "Given", text, voice: null, recording: null, seed: 1,
+    speech: {text, voice: null, recording: null, ...speech, pitch: pitchOf(speech), pitch_fps: 100, wav: ""},
+    motion: moving ? {frames, tracks: tracksOf(frames), system: "stand-in", synthetic: true, madeFrom: ""} : null,
+    poseControls: [], styleControls: [], range: null, bypass: {pose: false, style: false}, exact: false, system, variety: 0,
+    finish: {fade: false, still: false, relaxedFingers: true}, byRules: false}};
+}
+
+// Answers {server, log}: what was posted, in order. `session`: a study's that it runs.
+export function standIn(folder, avatar, port, session = null) {
   const log = [];
   const server = http.createServer((request, response) => {
     let body = "";
     request.on("data", part => { body += part; });
     request.on("end", () => {
       try {
-        if (answer(request, response, body, log) !== null) return;
+        if (answer(request, response, body, log, session) !== null) return;
         const address = new URL(request.url, "http://local").pathname;
         const file = address === "/avatar.glb" ? avatar : path.join(folder, address === "/" ? "index.html" : path.basename(address));
         if (!fs.existsSync(file)) return json(response, 404, {error: {message: `there is no ${address}`, field: null}});
@@ -212,7 +234,7 @@ export function standIn(folder, avatar, port) {
           "X-Content-Type-Options": "nosniff"});
         response.end(fs.readFileSync(file));
       } catch (problem) {
-        json(response, problem.status ?? 500, {error: {message: problem.message, field: problem.field ?? null}});
+        refused(response, problem);
       }
     });
   });

@@ -1,7 +1,7 @@
 // What the stand-in keeps, in memory: gestures of one's own, rules, projects, each refused as the contract refuses them.
 export class Refusal extends Error { constructor(field, message, status = 400) { super(message); this.field = field; this.status = status; } }
 
-const listed = ["GET /v1/health", "POST /v1/generate", "POST /v1/speech", "GET /v1/speech/{id}.wav", "GET /v1/motions", "POST /v1/motions",
+const listed = ["GET /v1/health", "POST /v1/generate", "POST /v1/speech", "GET /v1/speech/{id}.wav", "GET /v1/motions", "POST /v1/motions", "POST /v1/motions/read",
   "DELETE /v1/motions/{id}", "GET /v1/rules", "PUT /v1/rules", "GET /v1/projects", "POST /v1/projects", "GET /v1/projects/{id}",
   "PUT /v1/projects/{id}", "DELETE /v1/projects/{id}", "POST /v1/point", "POST /v1/tracks", "POST /v1/export", "GET /v1/openapi.json"];
 

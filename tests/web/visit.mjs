@@ -31,9 +31,10 @@ async function programServes(program, folder) {
   throw new Error(`${program} serve does not answer`);
 }
 
-async function standInServes(folder, avatar) {
+// `session`: one that it runs (stand_in_session.mjs).
+export async function standInServes(share, session = null) {
   const port = await freePort();
-  const {server, log} = await standIn(folder, avatar, port);
+  const {server, log} = await standIn(path.join(share, "studio"), path.join(share, "avatar.glb"), port, session);
   const address = `http://127.0.0.1:${port}`;
   return {address, page: `${address}/`, log, stop: () => { server.close(); server.closeAllConnections(); }};
 }
@@ -46,10 +47,10 @@ export async function begin({share, out, program}) {
   }
   fs.rmSync(out, {recursive: true, force: true});
   fs.mkdirSync(out, {recursive: true});
-  const server = program ? await programServes(program, path.join(out, "kept")) : await standInServes(path.join(share, "studio"), path.join(share, "avatar.glb"));
+  const server = program ? await programServes(program, path.join(out, "kept")) : await standInServes(share);
   const browser = await chromium.launch({executablePath: browserFile(),
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]});
-  return {server, browser, program, at: name => path.join(out, name), async end() {
+  return {server, browser, program, share, at: name => path.join(out, name), async end() {
     await browser.close();
     server.stop();
   }};
@@ -61,8 +62,8 @@ export function undrawn() {
 }
 
 // A new window with the page in it, and what the page complained about, asked for, and got. `expected`: complaints that a
-// test provokes.
-export async function visit({server, browser}, {width = 1280, height = 720, dark = false, script = null, expected = /^$/, before = async () => {}} = {}) {
+// test provokes; `ready`: what shows that it has come.
+export async function visit({server, browser}, {width = 1280, height = 720, dark = false, script = null, expected = /^$/, before = async () => {}, ready = "canvas.ready"} = {}) {
   const context = await browser.newContext({viewport: {width, height}, colorScheme: dark ? "dark" : "light", acceptDownloads: true});
   if (script) await context.addInitScript(script);
   const page = await context.newPage();
@@ -80,8 +81,8 @@ export async function visit({server, browser}, {width = 1280, height = 720, dark
   });
   await before(page);
   await page.goto(server.page);
-  await page.waitForSelector("canvas.ready");
-  await page.waitForSelector(".tile");
+  await page.waitForSelector(ready);
+  await page.waitForSelector(".tile", {state: "attached"});
   return {page, context, said, asked, generated};
 }
 

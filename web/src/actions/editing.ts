@@ -180,6 +180,7 @@ export function unmark(): void {
 }
 
 let copied: readonly Control[] = [];
+export const forgetCopied = (): void => { copied = []; };
 
 export function copy(): void {
   if (selected.value.length === 0) return;

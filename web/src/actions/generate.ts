@@ -13,7 +13,7 @@ import {placedByRules} from "./rule_gestures.ts";
 import {complain, say} from "../state/messages.ts";
 import {loadRules, rules} from "../state/rules.ts";
 import {keepsRules, relaxes, system, takes} from "../state/server.ts";
-import {busy, edit, playhead, studioDocument} from "../state/store.ts";
+import {beginnings, busy, edit, playhead, studioDocument} from "../state/store.ts";
 
 // What is said and by whom.
 const sayingOf = ({text, voice, recording}: StudioDocument) => ({text: text.trim(), voice, recording: recording?.id ?? null});
@@ -21,7 +21,8 @@ const same = (a: ReturnType<typeof sayingOf>, b: ReturnType<typeof sayingOf>) =>
     a.text === b.text && a.voice === b.voice && a.recording === b.recording;
 
 // Whether the speech in hand is what the text and the voice say.
-export const sameSpeech = (document: StudioDocument): boolean => document.speech !== null && same(document.speech, sayingOf(document));
+export const sameSpeech = (document: StudioDocument): boolean =>
+    document.speech !== null && document.speech.wav !== "" && same(document.speech, sayingOf(document));
 
 // The speech that the server keeps for us, by its name there. Its sound comes while gestures are generated.
 interface Kept extends ReturnType<typeof sayingOf> {
@@ -41,6 +42,14 @@ async function spoken(document: StudioDocument): Promise<Kept> {
   const speech = soundOf(sound).then(bytes => ({...saying, duration_s, words, accents, pitch, pitch_fps, wav: base64Of(new Uint8Array(bytes))}));
   speech.catch(() => { kept = null; });  // who waits for it is told
   return {...saying, id: speech_id, duration_s, words, speech};
+}
+
+// A project that is given may leave it to its voice to say it: with the sound, and its words.
+export async function withSpeech(document: StudioDocument): Promise<StudioDocument> {
+  if (document.speech && document.speech.wav !== "") return document;
+  kept = await spoken(document);
+  const speech = await kept.speech;
+  return {...document, speech: document.speech ? {...document.speech, wav: speech.wav} : speech};
 }
 
 // What is chosen, as far as the system takes it.
@@ -79,6 +88,13 @@ function carried({speech, poseControls, styleControls, seed}: StudioDocument, ne
   return {controls: {poseControls: ruled ? placedByRules({poseControls: poses, seed}, next).controls : poses, styleControls: styles}, lost};
 }
 
+// What the system makes of the project that is begun, which has a speech but no motion yet.
+export async function firstMotion(document: StudioDocument): Promise<StudioDocument> {
+  if (!kept || !same(kept, sayingOf(document))) kept = await spoken(document);
+  const {frames, tracks, system: by, synthetic} = await answerTo(document, kept.id, {});
+  return {...document, motion: {frames, tracks, system: by, synthetic, madeFrom: fingerprint(document)}};
+}
+
 const inWords = (count: number) => count === 1 ? "1 control" : `${count} controls`;
 
 // Of the whole speech, or of the marked range with the frames around it kept as they are.
@@ -100,6 +116,7 @@ export async function generateGestures(within: "all" | "range"): Promise<void> {
     return;
   }
   busy.value = partly ? "Generating the marked range" : "Generating gestures";
+  const begun = beginnings.value;
   try {
     warmUp();
     const ruled = !partly && document.byRules && keepsRules.value;
@@ -111,12 +128,14 @@ export async function generateGestures(within: "all" | "range"): Promise<void> {
     const asked = {...document, ...carried(document, next, ruled).controls};
     const answer = await answerTo(asked, kept.id, partly ? {keep: {frames: motion.frames, from_frame: range.from, to_frame: range.to}} : {});
     if (answer.frames.length !== total) throw new Error(`The server answered ${answer.frames.length} frames for a speech of ${total}.`);
-    const lost = put(asked, sameSpeech(document) ? document.speech! : await coming, answer, partly ? "Generate the marked range" : "Generate", ruled);
+    const speech = sameSpeech(document) ? document.speech! : await coming;
+    if (begun !== beginnings.value) return;
+    const lost = put(asked, speech, answer, partly ? "Generate the marked range" : "Generate", ruled);
     say(lost > 0 ? `Gestures are ready. ${inWords(lost)} had no room in the new speech; undo brings back what was before.` : "Gestures are ready.");
     playhead.value = partly ? range.from / fps : 0;
     void play();
   } catch (problem) {
-    complain(wordsOf(problem));
+    if (begun === beginnings.value) complain(wordsOf(problem));
   } finally {
     busy.value = null;
   }

@@ -16,11 +16,11 @@ export async function ask(path: string, request: RequestInit = {}): Promise<Resp
   try {
     response = await fetch(path, {...request, credentials: "same-origin"});
   } catch {
-    throw new ServerError("The studio's server does not answer. Start it again with deixis studio; nothing of your work is lost.", 0, null);
+    throw new ServerError("The server does not answer: does the program (deixis) still run? Nothing of your work is lost.", 0, null);
   }
   if (response.ok) return response;
   if (response.status === 401)
-    throw new ServerError("This page may no longer speak to the server. Open the address that deixis studio printed.", 401, null);
+    throw new ServerError("This page may no longer speak to the server. Open the address that the program printed.", 401, null);
   const answer = await response.json().catch(() => null) as {error?: {message?: string; field?: string | null}} | null;
   throw new ServerError(answer?.error?.message ?? `The server answered ${response.status} to ${path}.`, response.status, answer?.error?.field ?? null);
 }

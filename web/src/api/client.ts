@@ -1,5 +1,6 @@
 // The server's routes, version 1. What an answer must have is checked here, once.
 import {ask, check, post} from "./ask.ts";
+import type {SessionOf} from "./session.ts";
 import {fps, numbersPerFrame, type Accent, type Frame, type Tracks, type Word} from "../model/document.ts";
 
 export interface Voice { readonly name: string; readonly language: string | null }
@@ -12,6 +13,7 @@ export interface Health {
   readonly voices: readonly Voice[];
   readonly gestures: readonly System[];  // none: an older server, which has no choice
   readonly folder: boolean;  // whether it keeps gestures, rules and projects
+  readonly session: SessionOf | null;  // the study's session that it runs
 }
 
 export interface LibraryMotion {
@@ -61,9 +63,9 @@ export type MotionFormat = "bvh" | "glb" | "csv";
 // An older server names its voices only, and says nothing of systems and folders.
 export async function health(): Promise<Health> {
   const answer = await (await ask("/v1/health")).json() as {version: string; voices?: (string | {name: string; language?: string})[];
-    gestures?: System[]; folder?: boolean};
+    gestures?: System[]; folder?: boolean; session?: SessionOf};
   const voices = (answer.voices ?? []).map(one => typeof one === "string" ? {name: one, language: null} : {name: one.name, language: one.language ?? null});
-  return {version: answer.version, voices, gestures: answer.gestures ?? [], folder: answer.folder ?? false};
+  return {version: answer.version, voices, gestures: answer.gestures ?? [], folder: answer.folder ?? false, session: answer.session ?? null};
 }
 
 // The routes that the server's own document lists, as "GET /v1/motions/{}".

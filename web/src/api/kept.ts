@@ -11,6 +11,17 @@ export async function addMotion(motion: {name: string; meaning?: string; frames:
   return made;
 }
 
+// The upper body of a clip that another program wrote. Throws a ServerError with words for people.
+export async function readMotion(file: File): Promise<{frames: readonly Frame[]; remarks: readonly string[]}> {
+  const path = "/v1/motions/read";
+  const form = new FormData();
+  form.append("name", file.name);
+  form.append("clip", file);
+  const answer = await (await ask(path, {method: "POST", body: form})).json() as {frames: readonly Frame[]; remarks?: readonly string[]};
+  check(Array.isArray(answer.frames) && answer.frames.length > 0 && answer.frames.every(isFrame), path, "frames");
+  return {frames: answer.frames, remarks: answer.remarks ?? []};
+}
+
 export async function deleteMotion(id: string): Promise<void> {
   await ask(`/v1/motions/${encodeURIComponent(id)}`, {method: "DELETE"});
 }

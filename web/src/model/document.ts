@@ -20,7 +20,7 @@ export interface Speech {
   readonly accents: readonly Accent[];
   readonly pitch: readonly number[];  // Hz, 0 where there is none; evenly over the speech
   readonly pitch_fps: number;
-  readonly wav: string;  // the sound's file in base64: a project is whole without a server
+  readonly wav: string;  // the sound's file in base64: a project is whole without a server; empty: its voice says it anew
 }
 
 // What the avatar's bones do: one flat row of x y z w per bone for each frame.

@@ -53,7 +53,8 @@ function speechOf(value: unknown): Speech | null {
   const pitch = list(speech.pitch, "the pitch").map(one => number(one, "the pitch", 0));
   return {text: text(speech.text, "the speech's text"), voice: textOrNull(speech.voice, "the speech's voice"),
     recording: textOrNull(speech.recording, "the speech's recording"), duration_s, words, accents, pitch,
-    pitch_fps: number(speech.pitch_fps, "the pitch's rate", 1), wav: text(speech.wav, "the speech's sound")};
+    pitch_fps: number(speech.pitch_fps, "the pitch's rate", 1),
+    wav: speech.wav === undefined || speech.wav === null ? "" : text(speech.wav, "the speech's sound")};
 }
 
 function motionOf(value: unknown): StudioDocument["motion"] {
@@ -157,7 +158,7 @@ export function projectOf(parsed: unknown): StudioDocument {
   const one = fields(file.document, "the document");
   const bypass = fields(one.bypass, "the bypass");
   const speech = speechOf(one.speech);
-  const total = speech ? frameCountOf(speech.duration_s) : 0;
+  const total = speech ? frameCountOf(speech.duration_s) : Infinity;  // which is not known before it is spoken
   const motion = motionOf(one.motion);
   if (motion && (!speech || motion.frames.length !== total || motion.tracks.rotations.length !== total))
     wrong("the motion", `${total} frames long, as the speech is`);

@@ -1,6 +1,6 @@
 // The one store: the document with its history, and what the page shows of it. Whatever changes the document goes through
 // edit(), undo() and redo().
-import {computed, signal} from "@preact/signals";
+import {batch, computed, signal} from "@preact/signals";
 import type {Draft} from "immer";
 import {advanced, canRedo, canUndo, startOf, stepOf, type History, type Step} from "../model/history.ts";
 import {emptyDocument, fps, frameCount, type StudioDocument} from "../model/document.ts";
@@ -12,12 +12,12 @@ export const studioDocument = computed(() => history.value.document);
 export const undoable = computed(() => canUndo(history.value) ? history.value.edits[history.value.position - 1]!.label : null);
 export const redoable = computed(() => canRedo(history.value) ? history.value.edits[history.value.position]!.label : null);
 
-const lines: LogLine[] = [];
+let lines: LogLine[] = [];
 const listeners: ((step: Step) => void)[] = [];
 
 // The edits of this window, in order, for the project's file.
 export const logOfEdits = (): readonly LogLine[] => lines;
-// Called with each step after it is done.
+// Called with each step after it is done; how a project is begun is none.
 export function onStep(listener: (step: Step) => void): void { listeners.push(listener); }
 
 function take(step: Step): void {
@@ -45,6 +45,19 @@ export function edit(label: string, recipe: (draft: Draft<StudioDocument>) => Dr
 
 // Ends a row of edits that would merge.
 export function settle(): void { ++row; }
+
+// A project that is given: nothing leads back behind it.
+export function begin(document: StudioDocument): void {
+  lines = [];
+  settle();
+  batch(() => {
+    history.value = startOf(document);
+    selection.value = new Set();
+    playhead.value = 0;
+    ++beginnings.value;
+  });
+}
+export const beginnings = signal(0);  // what was asked for before one is not for the project that is there now
 
 // Each says what it undid or did again, null where there was nothing.
 export function undo(): string | null {

@@ -1,37 +1,13 @@
-// The page's parts in their places.
-import {Timeline} from "../timeline/timeline.tsx";
-import {FilmDialog} from "./film_dialog.tsx";
+// The page: the studio, or a session in it.
+import {inSession} from "../session/begin.ts";
+import {SessionView} from "../session/session_view.tsx";
 import {Header} from "./header.tsx";
-import {Help} from "./help.tsx";
-import {Inspector} from "./inspector.tsx";
-import {LibraryPanel} from "./library_panel.tsx";
-import {OptionsDialog} from "./options_dialog.tsx";
-import {OwnGestureDialog} from "./own_gesture_dialog.tsx";
-import {ConflictDialog, ProjectsDialog} from "./projects_dialog.tsx";
-import {RulesDialog} from "./rules_dialog.tsx";
-import {Messages} from "./messages_view.tsx";
-import {SpeechPanel} from "./speech_panel.tsx";
-import {Stage} from "./stage.tsx";
+import {Workshop} from "./workshop.tsx";
 
 export function App() {
+  if (inSession.value) return <SessionView />;
   return <>
     <Header />
-    <main>
-      <div class="left-column">
-        <SpeechPanel />
-        <Inspector />
-      </div>
-      <Stage />
-      <LibraryPanel />
-      <Timeline />
-      <Messages />
-    </main>
-    <OwnGestureDialog />
-    <RulesDialog />
-    <OptionsDialog />
-    <ProjectsDialog />
-    <ConflictDialog />
-    <FilmDialog />
-    <Help />
+    <Workshop />
   </>;
 }

@@ -3,6 +3,7 @@ import {useEffect, useRef} from "preact/hooks";
 import {chooseProject, newProject, openProject, saveMotion, saveProject, saveSound} from "../actions/files.ts";
 import {saveOnServer} from "../actions/projects.ts";
 import {say} from "../state/messages.ts";
+import {offers} from "../state/mode.ts";
 import {stepTrial} from "../state/posing.ts";
 import {keepsProjects} from "../state/server.ts";
 import {edit, redo, redoable, settle, studioDocument, undo, undoable} from "../state/store.ts";
@@ -22,10 +23,22 @@ export function redoAloud(): void {
   if (label !== null) say(`Done again: ${label}.`);
 }
 
-// Where the project is kept: on the server if it is from there, else as a file.
+// Where the project is kept: on the server if it is from there, else as a file; in a session by itself.
 export function save(): void {
-  if (keepsProjects.value && studioDocument.value.home !== null) void saveOnServer();
+  if (!offers("files")) say("Your work is kept by itself.");
+  else if (keepsProjects.value && studioDocument.value.home !== null) void saveOnServer();
   else saveProject();
+}
+
+export function HistoryButtons() {
+  return <div class="header-group" role="group" aria-label="History">
+    <IconButton icon="undo" name={undoable.value === null ? "Undo" : `Undo: ${undoable.value}`} keys="Ctrl+Z" disabled={undoable.value === null} onClick={undoAloud} />
+    <IconButton icon="redo" name={redoable.value === null ? "Redo" : `Redo: ${redoable.value}`} keys="Ctrl+Shift+Z" disabled={redoable.value === null} onClick={redoAloud} />
+  </div>;
+}
+
+export function HelpButton() {
+  return <IconButton icon="help" name="Keys and mouse" keys="?" onClick={() => { helpOpen.value = true; }} />;
 }
 
 export function Header() {
@@ -50,10 +63,7 @@ export function Header() {
         if (file.current) file.current.value = "";
       }} />
     </div>
-    <div class="header-group" role="group" aria-label="History">
-      <IconButton icon="undo" name={undoable.value === null ? "Undo" : `Undo: ${undoable.value}`} keys="Ctrl+Z" disabled={undoable.value === null} onClick={undoAloud} />
-      <IconButton icon="redo" name={redoable.value === null ? "Redo" : `Redo: ${redoable.value}`} keys="Ctrl+Shift+Z" disabled={redoable.value === null} onClick={redoAloud} />
-    </div>
+    <HistoryButtons />
     <span class="spring" />
     <div class="header-group" role="group" aria-label="Export">
       {(["bvh", "glb", "csv"] as const).map(format => <IconButton key={format} icon="save" name={`Download the motion as ${format.toUpperCase()}`}
@@ -61,6 +71,6 @@ export function Header() {
       <IconButton icon="save" name="Download the sound as WAV" disabled={!speech} onClick={saveSound}>WAV</IconButton>
       <IconButton icon="film" name="Make a film (WebM)" disabled={!motion} onClick={openFilm}>Film</IconButton>
     </div>
-    <IconButton icon="help" name="Keys and mouse" keys="?" onClick={() => { helpOpen.value = true; }} />
+    <HelpButton />
   </header>;
 }

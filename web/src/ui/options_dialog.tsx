@@ -1,5 +1,6 @@
 // How gestures are made and finished: only what the server says that it takes.
 import {signal} from "@preact/signals";
+import {offers} from "../state/mode.ts";
 import {isManual, keyframes, keepsRules, served, system, takes} from "../state/server.ts";
 import {edit, settle, studioDocument} from "../state/store.ts";
 import type {Finish} from "../model/document.ts";
@@ -24,7 +25,7 @@ const finishes: readonly {readonly field: string; readonly name: keyof Finish; r
 export function OptionsButton() {
   if (!system.value) return null;
   return <button type="button" class="button small options" title="How gestures are made" aria-haspopup="dialog" onClick={() => { open.value = true; }}>
-    <Icon name="options" /><span>{wordsFor(system.value.system).short}</span></button>;
+    <Icon name="options" /><span>{offers("systems") ? wordsFor(system.value.system).short : "Options"}</span></button>;
 }
 
 function Switch({label, on, name, change}: {label: string; on: boolean; name: string; change: (on: boolean) => void}) {
@@ -50,13 +51,13 @@ function Form() {
     event.preventDefault();
     open.value = false;
   }}>
-    <fieldset>
+    {offers("systems") && <fieldset>
       <legend>Made by</legend>
       {all.map((one, k) => <label class="choice" key={one.system}><input type="radio" name="system" checked={system.value === one}
           onChange={() => edit(`Made by ${wordsFor(one.system).name}`, draft => { draft.system = k === 0 ? null : one.system; })} />
         <span><b>{wordsFor(one.system).name}</b><span class="note">{wordsFor(one.system).about}</span></span></label>)}
-    </fieldset>
-    {isManual.value && <p class="note">The movement begins and ends in the mean pose; bones keep their lengths. Style controls stay in the project, and are not used.</p>}
+    </fieldset>}
+    {isManual.value && <p class="note">The movement begins and ends in the mean pose; bones keep their lengths.{offers("systems") && " Style controls stay in the project, and are not used."}</p>}
     {takes("variety") && <Variety />}
     <fieldset>
       {(shown.length > 0 || takes("exact")) && <legend>Also</legend>}

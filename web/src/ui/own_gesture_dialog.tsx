@@ -3,17 +3,20 @@ import {useSignal} from "@preact/signals";
 import {useRef} from "preact/hooks";
 import {signal} from "@preact/signals";
 import {wordsOf} from "../api/ask.ts";
-import {addOwn} from "../actions/own_gestures.ts";
-import {clipOf, mostFrames, type Clip} from "../model/clip_file.ts";
+import {addOwn, clipIn} from "../actions/own_gestures.ts";
+import {mostFrames, type Clip} from "../model/clip_file.ts";
 import {fps, type Frame} from "../model/document.ts";
 import {secondsOf} from "../model/frames.ts";
 import {ownOnly} from "../state/library.ts";
+import {readsClips} from "../state/server.ts";
 import {playheadFrame, studioDocument} from "../state/store.ts";
 import {Dialog} from "./dialog.tsx";
 import {Figure} from "./figure.tsx";
 import {Seconds} from "./seconds.tsx";
 
 export const addingOwn = signal(false);
+
+const clipFiles = ".json,.bvh,.glb,.gltf,.vrm,.vrma,.csv,.gz";
 
 type Source = "range" | "frame" | "file";
 const seconds = (frames: number) => `${secondsOf(frames).toFixed(2)} s`;
@@ -28,7 +31,8 @@ function Form() {
   const {motion, range} = studioDocument.value;
   const source = useSignal<Source>(motion && range ? "range" : motion ? "frame" : "file");
   const [name, meaning, problem, busy] = [useSignal(""), useSignal(""), useSignal(""), useSignal(false)];
-  const clip = useSignal<Clip & {name: string} | null>(null);
+  const clip = useSignal<Clip & {name: string; remarks: readonly string[]} | null>(null);
+  const reading = useSignal<string | null>(null);
   const file = useRef<HTMLInputElement>(null);
   const at = playheadFrame.value;
   const frames = (): readonly Frame[] => source.value === "range" && motion && range ? motion.frames.slice(range.from, range.to)
@@ -37,12 +41,14 @@ function Form() {
   const chosen = frames();
   const tooLong = chosen.length > mostFrames;
   const read = async (one: File) => {
+    [clip.value, problem.value, reading.value] = [null, "", one.name];
     try {
-      clip.value = {...clipOf(await one.text()), name: one.name};
-      problem.value = "";
+      const found = await clipIn(one);
+      if (reading.value === one.name) clip.value = {...found, name: one.name};
     } catch (wrong) {
-      clip.value = null;
       problem.value = wordsOf(wrong);
+    } finally {
+      reading.value = null;
     }
   };
   const submit = async (event: Event) => {
@@ -74,12 +80,13 @@ function Form() {
         <Choice name="source" value="file" chosen={source.value} disabled={false} onChoose={one => { source.value = one; }} words="A clip in a file" />
         {source.value === "file" && <>
           <span class="fields"><button type="button" class="button small" onClick={() => file.current?.click()}>Choose a file</button>
-            <span class="note">{clip.value?.name ?? "a project, or frames as JSON"}</span></span>
-          <input ref={file} id="clip-file" type="file" accept=".json,application/json" hidden aria-label="Clip file" onChange={() => {
+            <span class="note" role="status">{reading.value !== null ? `${reading.value} is read …` : clip.value?.name ?? (readsClips.value ? "a project, BVH, GLB, VRMA, CSV" : "a project, or frames as JSON")}</span></span>
+          <input ref={file} id="clip-file" type="file" accept={readsClips.value ? clipFiles : ".json,application/json"} hidden aria-label="Clip file" onChange={() => {
             const one = file.current?.files?.[0];
             if (one) void read(one);
             if (file.current) file.current.value = "";
           }} />
+          {clip.value?.remarks.map(remark => <p class="note" key={remark}>{remark}</p>)}
           {clip.value && <div class="fields">
             <Seconds label="From" frames={clip.value.from} least={0} most={clip.value.to - 1} onChange={from => { clip.value = {...clip.value!, from}; }} />
             <Seconds label="To" frames={clip.value.to} least={clip.value.from + 1} most={clip.value.frames.length} onChange={to => { clip.value = {...clip.value!, to}; }} />

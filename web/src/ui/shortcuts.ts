@@ -7,6 +7,7 @@ import {dropTried, keepTried, tryShown} from "../actions/trying.ts";
 import {allControls} from "../model/controls.ts";
 import {seek, toggle} from "../playback/player.ts";
 import {say} from "../state/messages.ts";
+import {atWork, offers} from "../state/mode.ts";
 import {handling, inHand, trial} from "../state/posing.ts";
 import {isManual, points} from "../state/server.ts";
 import {ball, chosenCamera} from "../state/stage.ts";
@@ -26,7 +27,7 @@ const commands: Record<string, {run: () => void; typing: boolean}> = {
   "enter": {run: () => void generateGestures("all"), typing: true},
   "shift+enter": {run: () => void generateGestures("range"), typing: true},
   "s": {run: save, typing: true},
-  "o": {run: chooseProject, typing: true},
+  "o": {run: () => { if (offers("files")) chooseProject(); }, typing: true},
   "z": {run: undoAloud, typing: false},
   "shift+z": {run: redoAloud, typing: false},
   "y": {run: redoAloud, typing: false},
@@ -76,7 +77,7 @@ const keys: Record<string, () => void> = {
 export function startShortcuts(): void {
   window.addEventListener("keydown", event => {
     const at = event.target as Element;
-    if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
+    if (!atWork.value || event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
     const key = event.key.toLowerCase();
     if (event.ctrlKey || event.metaKey) {
       const command = commands[`${event.shiftKey ? "shift+" : ""}${key}`];

@@ -4,6 +4,7 @@ import {useRef} from "preact/hooks";
 import {chooseRecording, dropRecording} from "../actions/files.ts";
 import {generateGestures, sameSpeech} from "../actions/generate.ts";
 import {isCurrent} from "../model/project.ts";
+import {offers} from "../state/mode.ts";
 import {isManual, served} from "../state/server.ts";
 import type {Voice} from "../api/client.ts";
 import {busy, edit, settle, studioDocument} from "../state/store.ts";
@@ -70,7 +71,7 @@ export function SpeechPanel() {
   return <section class="panel speech-panel" aria-labelledby="speech-title">
     <div class="panel-head">
       <h2 id="speech-title">Speech</h2>
-      <span class="panel-tools">
+      {offers("speech") && <span class="panel-tools">
         {recording && <span class="recording" title={recording.name}><span>{recording.name}</span>
           <IconButton icon="close" name="Leave the recording out: a voice speaks" onClick={dropRecording} /></span>}
         {!recording && voices.length > 1 && <select class="quiet" aria-label="Voice" title="Voice" value={voice ?? voices[0]!.name} onChange={event => {
@@ -94,9 +95,9 @@ export function SpeechPanel() {
           if (chosen) void chooseRecording(chosen);
           if (file.current) file.current.value = "";
         }} />
-      </span>
+      </span>}
     </div>
-    <textarea id="text" aria-label="What is said" rows={3} maxLength={20000} spellcheck placeholder="What does the avatar say?" value={text}
+    <textarea id="text" aria-label="What is said" rows={3} maxLength={20000} spellcheck placeholder="What does the avatar say?" value={text} readOnly={!offers("speech")}
         onInput={event => setText(event.currentTarget.value)} onBlur={settle} />
     {foreign.value && !isManual.value && <p class="note">Not English: gestures follow this voice's sound alone, not its words.</p>}
     <div class="generate">
@@ -106,9 +107,9 @@ export function SpeechPanel() {
       </button>
       {!isManual.value && <button type="button" class="button" title="Generate only the marked range again (Ctrl+Shift+Enter)" disabled={!partly.value}
           onClick={() => void generateGestures("range")}>Range only</button>}
-      <label class="version" title="Another version makes other gestures for the same speech"><span>Version</span>
+      {offers("sketch") && <label class="version" title="Another version makes other gestures for the same speech"><span>Version</span>
         <input type="number" min={0} max={4294967295} step={1} value={seed} onInput={event => setSeed(event.currentTarget.valueAsNumber)} onBlur={settle} />
-      </label>
+      </label>}
     </div>
     <div class="state-line"><p class="state">{state.value}</p><OptionsButton /></div>
   </section>;
