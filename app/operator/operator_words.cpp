@@ -65,6 +65,8 @@ std::string_view wordsFor(studies::PresentedState state) {
             return "Is shown the target";
         case State::confidence:
             return "Says how sure the choice was";
+        case State::authoring:
+            return "Makes gestures in the studio";
         case State::over:
             return "The session is over";
     }

@@ -7,6 +7,9 @@
 
 #include "app/stations/simulated_setup.hpp"
 
+#ifdef DEIXIS_STUDIO
+#include "app/studio_station/studio_station.hpp"
+#endif
 #ifdef DEIXIS_IMMERSIVE
 #include "app/desktop/desktop_station.hpp"
 #include "app/desktop/drawn_simulation.hpp"
@@ -104,6 +107,30 @@ Result<void> drawSimulation(studies::SimulatedStation&, const assets::Avatar&, c
 
 #endif
 
+#ifdef DEIXIS_STUDIO
+
+Result<std::unique_ptr<studies::Station>> openStudio(const StationRequest& request,
+                                                     const studies::Study& study,
+                                                     const studies::StudyPlan& plan,
+                                                     const assets::Avatar& avatar) {
+    if (!request.screenshots->wanted.empty())
+        return fail("--screenshot", "pictures of a session are taken with --station simulated");
+    if (request.operator_window)
+        return fail("--operator", "a session in the browser has no window for the experimenter");
+    auto station = StudioStation::open({request.port, !request.no_browser, plan.participant}, study, avatar);
+    if (!station) return tl::unexpected(station.error());
+    return std::move(*station);
+}
+
+#else
+
+Result<std::unique_ptr<studies::Station>> openStudio(const StationRequest&, const studies::Study&,
+                                                     const studies::StudyPlan&, const assets::Avatar&) {
+    return fail("--station", "this program was built without the studio (DEIXIS_STUDIO=OFF)");
+}
+
+#endif
+
 // A participant who pauses once, in the midst of the first clip: for a picture of that state.
 class PausingStation : public studies::Station {
   public:
@@ -135,6 +162,7 @@ Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& requ
                                                       const studies::Study& study,
                                                       const studies::StudyPlan& plan,
                                                       const assets::Avatar& avatar) {
+    if (request.kind == studies::StationKind::studio) return openStudio(request, study, plan, avatar);
     if (request.kind != studies::StationKind::simulated) return openForPerson(request, study, plan, avatar);
     if (request.operator_window)
         return fail("--operator", "a simulated participant has no window for the experimenter",

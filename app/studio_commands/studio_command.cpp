@@ -1,13 +1,9 @@
 // deixis studio: the studio in a browser, on this machine.
-#include <fmt/format.h>
-#include <spawn.h>
-#include <unistd.h>
-
-#include <cstdio>
 #include <memory>
 #include <string>
 
 #include "app/program/command_help.hpp"
+#include "app/studio/browser.hpp"
 #include "app/studio_commands/studio_commands.hpp"
 #include "serving.hpp"
 
@@ -20,17 +16,6 @@ struct StudioArguments {
     bool no_browser = false;
     StudioOptions studio{};
 };
-
-/// As the desktop does it; where that cannot be, the person does.
-void openInBrowser(const std::string& address) {
-    std::string program = "xdg-open";
-    std::string argument = address;
-    char* const command[] = {program.data(), argument.data(), nullptr};
-    pid_t child = 0;
-    if (posix_spawnp(&child, "xdg-open", nullptr, nullptr, command, environ) != 0)
-        fmt::print(stderr,
-                   "no browser could be opened (xdg-open is not installed): open the address above in one\n");
-}
 
 Result<void> studio(const StudioArguments& options) {
     server::ServerSettings settings;

@@ -19,6 +19,7 @@
 #include "app/session/recorders.hpp"
 #include "app/session/session_loop.hpp"
 #include "app/session/trace.hpp"
+#include "app/session/work_in_progress.hpp"
 #include "app/stations/simulated_setup.hpp"
 #include "app/stations/stations.hpp"
 #include "app/study/enrolment.hpp"
@@ -32,6 +33,7 @@
 #include "results/participants/participants.hpp"
 #include "results/store/participant_lock.hpp"
 #include "results/store/store.hpp"
+#include "studies/study_file/stage_kind.hpp"
 #include "studies/study_file/standing.hpp"
 
 namespace deixis::app {
@@ -165,6 +167,23 @@ Result<void> checkTakesPart(const RunArguments& options, const results::Store& s
                     participant, declined ? "be asked for consent again" : "go on"));
 }
 
+// That every stage can be done at such a station.
+Result<void> checkStages(const studies::Study& study, studies::StationKind station) {
+    if (station == studies::StationKind::simulated) return {};
+    const bool studio = station == studies::StationKind::studio;
+    for (const studies::Stage& stage : study.stages) {
+        const auto& kind = studies::declarationOf(stage.kind);
+        if (!kind.showsClips() || kind.in_studio == studio) continue;
+        return fail("--station",
+                    fmt::format("found {}, but stage \"{}\" of kind \"{}\" {}",
+                                studies::stationKindName(station), stage.name, kind.name,
+                                studio ? "shows clips, which the studio's page does not"
+                                       : "is done in the studio's page"),
+                    studio ? "Use --station desktop or headset" : "Use --station studio");
+    }
+    return {};
+}
+
 struct Prepared {
     LockedStudy locked;
     Enrolment enrolment;
@@ -207,6 +226,10 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     if (!info.controls.empty()) fmt::print("{}\n", info.controls);
     std::fflush(stdout);
 
+    auto unfinished = readUnfinishedWork(results::workFile(options.database, participant), enrolment.resume);
+    if (!unfinished) return tl::unexpected(unfinished.error());
+    enrolment.resume.work = std::move(*unfinished);
+
     const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
     const auto records = stimuli.records();
     const auto history = store.secondsPerUnit();
@@ -231,7 +254,11 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
             options.database, calm);
         std::optional<Trace> trace;
         if (trace_file) trace.emplace(std::move(*trace_file), session, for_operator);
-        Recorder& told = trace ? static_cast<Recorder&>(*trace) : for_operator;
+        Recorder& looked_at = trace ? static_cast<Recorder&>(*trace) : for_operator;
+        std::optional<WorkInProgress> work;
+        if (!info.synthetic)
+            work.emplace(results::workFile(options.database, participant), session, looked_at);
+        Recorder& told = work ? static_cast<Recorder&>(*work) : looked_at;
         runSession(session, **station, told);
         told.finish();
     } catch (const results::DatabaseMoved& moved) {
@@ -285,6 +312,7 @@ Result<void> run(RunArguments options) {
         {options.study, options.database, made, participant, options.language, options.accept_changes},
         *store);
     if (!locked) return tl::unexpected(locked.error());
+    if (auto can = checkStages(locked->setup.study, options.station.kind); !can) return can;
     auto avatar = loadStudyAvatar(locked->setup.study);
     if (!avatar) return tl::unexpected(avatar.error());
     auto enrolment = enrol(locked->setup, *store, participant, options.number, utcNow_s());
@@ -333,9 +361,10 @@ void addRunCommand(Parser cli, Command& chosen) {
             [kind = &options->station.kind](const std::string& name) {
                 *kind = studies::stationKindNamed(name).value();
             },
-            "desktop: a window and a person; headset: a person in VR (OpenXR); simulated: a simulated "
-            "participant, without a window")
-        .check(OneOf{{"desktop", "headset", "simulated"}})
+            "desktop: a window and a person; headset: a person in VR (OpenXR); studio: a person in the "
+            "browser, "
+            "who makes gestures; simulated: a simulated participant, without a window")
+        .check(OneOf{{"desktop", "headset", "studio", "simulated"}})
         .showDefault("desktop");
     command.addOption("--db", options->database, "Database to create or to continue [STUDY.sqlite]");
     command
@@ -358,6 +387,11 @@ void addRunCommand(Parser cli, Command& chosen) {
                     "Open the experimenter's window, on a second monitor or beside the participant's "
                     "(desktop; always open with a headset)");
     command.addFlag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
+    command.addOption("--port", options->station.port, "Port of the page; 0: a free one (studio)")
+        .check(Range(0, 65535))
+        .showDefault();
+    command.addFlag("--no-browser", options->station.no_browser,
+                    "Open no browser; print the address alone (studio)");
     command
         .addOption("--parameters", options->station.simulated_parameters,
                    "Simulated participant's parameters (TOML) [the default ones]")

@@ -65,15 +65,15 @@ void emptyLog(SQLite::Database& database) {
         throw SQLite::Exception("the log cannot be emptied", SQLITE_BUSY);
 }
 
-/// Nothing but rows that count is left in the file, nothing in its log, and no lock file that names the
-/// person.
-void clear(SQLite::Database& database, const fs::path& lock_file) {
+/// Nothing but rows that count is left in the file, nothing in its log, and no file of the person beside it.
+void clear(SQLite::Database& database, const fs::path& path, const std::string& participant) {
     emptyLog(database);
     database.exec("VACUUM");
     emptyLog(database);
     std::error_code gone;
-    fs::remove(lock_file, gone);
-    syncFolder(lock_file.parent_path());
+    for (const fs::path& file : {workFile(path, participant), lockFile(path, participant)})
+        fs::remove(file, gone);
+    syncFolder(lockFile(path, participant).parent_path());
     // The log of this, which names nobody, is emptied as the file is closed.
     database.exec("UPDATE withdrawals SET cleared = 1 WHERE cleared = 0");
 }
@@ -110,7 +110,7 @@ Result<Withdrawn> withdrawParticipant(const fs::path& path, const std::string& p
             if (auto alone = takeAlone(*database, path); !alone) return tl::unexpected(alone.error());
             if (there) erase(*database, participant, utc_s);
             try {
-                clear(*database, lockFile(path, participant));
+                clear(*database, path, participant);
             } catch (const SQLite::Exception& problem) {
                 return tl::unexpected(notCleared(path, describe(path, problem)));
             }

@@ -41,8 +41,8 @@ Route tracksRoute(const std::shared_ptr<StudioWork>& work) {
     route.run = [work](const Call& call) -> Answer {
         const auto motion = motionOfBody(call.body);
         if (!motion) return tl::unexpected(motion.error());
-        const auto clip = motion::avatarClip(*motion, call.body["relaxed_fingers"].get<bool>());
-        return jsonReply(nlohmann::json{{"tracks", work->tracks(clip)}});
+        auto clip = motion::avatarClip(*motion, call.body["relaxed_fingers"].get<bool>());
+        return jsonReply(nlohmann::json{{"tracks", tracksJson(work->onAvatar(std::move(clip)))}});
     };
     return route;
 }
@@ -55,7 +55,7 @@ Reply fileReply(std::string bytes, const char* type, const std::string& name) {
     return reply;
 }
 
-Answer exportedMotion(const nlohmann::json& asked) {
+Answer exportedMotion(const StudioWork& work, const nlohmann::json& asked) {
     const auto motion = motionOfBody(asked);
     if (!motion) return tl::unexpected(motion.error());
     const std::size_t count = motion->frames.size();
@@ -67,8 +67,8 @@ Answer exportedMotion(const nlohmann::json& asked) {
         return tl::unexpected(Refusal{
             400, fmt::format("found {} frames, expected {}: 15 a second for duration_s", count, frames),
             "frames"});
-    const motion::Clip clip =
-        motion::heldFor(motion::avatarClip(*motion, asked["relaxed_fingers"].get<bool>()), duration_s);
+    const motion::Clip clip = motion::heldFor(
+        work.onAvatar(motion::avatarClip(*motion, asked["relaxed_fingers"].get<bool>())), duration_s);
     const std::string format = asked["format"];
     if (format == "glb") return fileReply(assets::writeGlb(clip), glb_type, "gestures.glb");
     if (format == "csv") return fileReply(assets::writeJointCsv(clip), csv_type, "gestures.csv");
@@ -81,7 +81,7 @@ Answer exported(StudioWork& work, const nlohmann::json& asked) {
         return tl::unexpected(Refusal{
             400, "found frames and speech_id in the wrong place: wav is of a speech_id, the others of frames",
             "format"});
-    if (!of_speech) return exportedMotion(asked);
+    if (!of_speech) return exportedMotion(work, asked);
     const auto speech = work.find(asked["speech_id"], "speech_id");
     if (!speech) return tl::unexpected(speech.error());
     return fileReply((*speech)->wav, wav_type, "speech.wav");

@@ -34,8 +34,11 @@ Route healthRoute(const std::shared_ptr<StudioWork>& work) {
                                                    mustField("language", textShape("BCP 47", 1))}))),
               mustField("other_languages", booleanShape("There are voices of others than English")),
               mustField("folder", booleanShape("Motions, rules and projects are kept on the disk")),
-              mustField("synthetic",
-                        booleanShape("Gestures are by rules, or by what was trained on them"))})}};
+              mustField("synthetic", booleanShape("Gestures are by rules, or by what was trained on them")),
+              mayField("session", objectShape("Of a study, where the page takes part in one",
+                                              {mustField("participant", textShape("", 1)),
+                                               mustField("study", textShape("Its name", 1)),
+                                               mustField("language", textShape("Of its texts", 1))}))})}};
     auto systems = nlohmann::json::array(), gestures = nlohmann::json::array();
     for (const GestureSystem& one : gestureSystems(work->parts())) {
         systems.push_back(one.name);
@@ -48,17 +51,21 @@ Route healthRoute(const std::shared_ptr<StudioWork>& work) {
         other_languages = other_languages || !speech::isEnglish(language);
         voices.push_back({{"name", name}, {"language", language}});
     }
-    const Reply reply =
-        jsonReply(nlohmann::ordered_json{{"status", "ok"},
-                                         {"version", work->parts().version},
-                                         {"commit", work->parts().commit},
-                                         {"systems", systems},
-                                         {"gestures", gestures},
-                                         {"mean_pose", motion::numbersOf(restPose(work->parts()))},
-                                         {"voices", voices},
-                                         {"other_languages", other_languages},
-                                         {"folder", work->folder() != nullptr},
-                                         {"synthetic", gestureSystems(work->parts()).front().synthetic}});
+    nlohmann::ordered_json health{{"status", "ok"},
+                                  {"version", work->parts().version},
+                                  {"commit", work->parts().commit},
+                                  {"systems", systems},
+                                  {"gestures", gestures},
+                                  {"mean_pose", motion::numbersOf(restPose(work->parts()))},
+                                  {"voices", voices},
+                                  {"other_languages", other_languages},
+                                  {"folder", work->folder() != nullptr},
+                                  {"synthetic", gestureSystems(work->parts()).front().synthetic}};
+    if (const auto& session = work->parts().session)
+        health["session"] = {{"participant", session->participant},
+                             {"study", session->study},
+                             {"language", session->language}};
+    const Reply reply = jsonReply(health);
     route.run = [reply](const Call&) -> Answer { return reply; };
     return route;
 }

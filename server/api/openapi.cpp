@@ -16,6 +16,12 @@ ordered_json parametersOf(const Route& route) {
                        {"required", true},
                        {"description", about},
                        {"schema", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]{1,64}$"}}}});
+    for (const ShapeField& field : route.query)
+        out.push_back({{"name", field.name},
+                       {"in", "query"},
+                       {"required", field.required},
+                       {"description", field.shape.about},
+                       {"schema", schemaOf(field.shape)}});
     if (route.takes_revision)
         out.push_back(
             {{"name", "If-Match"},

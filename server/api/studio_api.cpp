@@ -31,15 +31,19 @@ void append(std::vector<Route>& routes, std::vector<Route> more) {
 
 std::vector<Route> studioRoutes(StudioParts parts) {
     const std::string version = parts.version;
+    std::vector<Route> of_session;
+    if (parts.session) of_session = std::move(parts.session->routes);
     const auto work = std::make_shared<StudioWork>(std::move(parts));
     std::vector<Route> routes{healthRoute(work)};
     routes.push_back(generateRoute(work));
     append(routes, speechRoutes(work));
     append(routes, libraryRoutes(work));
+    routes.push_back(readRoute());
     append(routes, ruleRoutes(work));
     append(routes, projectRoutes(work));
     append(routes, clipRoutes(work));
     routes.push_back(pointRoute(work));
+    append(routes, std::move(of_session));
     addDocument(routes, version);
     return routes;
 }

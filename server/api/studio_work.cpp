@@ -46,15 +46,15 @@ OwnRules StudioWork::ownRules() const {
     return folder() != nullptr ? server::ownRules(*folder(), motionIds()) : noRules();
 }
 
-nlohmann::json StudioWork::tracks(const motion::Clip& clip) const {
-    if (!parts_.avatar) return tracksJson(clip);
+motion::Clip StudioWork::onAvatar(motion::Clip clip) const {
+    if (!parts_.avatar) return clip;
     motion::RetargetOptions options;
     options.plant_feet = false;
-    const auto drawn = motion::retarget(clip, motion::mapByVrmNames(clip.skeleton), parts_.avatar->skeleton,
-                                        parts_.avatar->humanoid, options);
+    auto drawn = motion::retarget(clip, motion::mapByVrmNames(clip.skeleton), parts_.avatar->skeleton,
+                                  parts_.avatar->humanoid, options);
     if (!drawn)
         throw std::logic_error("an avatar that was checked cannot take a motion: " + drawn.error().text());
-    return tracksJson(*drawn);
+    return std::move(*drawn);
 }
 
 tl::expected<speech::Aligner*, Refusal> StudioWork::aligner() {

@@ -31,8 +31,8 @@ class StudioWork {
     /// Of all motions: those that ship, and those that were added.
     [[nodiscard]] std::vector<std::string> motionIds() const;
 
-    /// tracksJson() on the avatar that is drawn. Of a clip on referenceHumanoid().
-    [[nodiscard]] nlohmann::json tracks(const motion::Clip& clip) const;
+    /// A clip on referenceHumanoid() as the avatar that is drawn plays it.
+    [[nodiscard]] motion::Clip onAvatar(motion::Clip clip) const;
 
     using Speech = tl::expected<std::shared_ptr<const KeptSpeech>, Refusal>;
     /// Spoken by that voice, or the one that is kept.
@@ -58,6 +58,7 @@ class StudioWork {
 [[nodiscard]] std::vector<Route> libraryRoutes(const std::shared_ptr<StudioWork>& work);
 [[nodiscard]] std::vector<Route> ruleRoutes(const std::shared_ptr<StudioWork>& work);
 [[nodiscard]] std::vector<Route> projectRoutes(const std::shared_ptr<StudioWork>& work);
+[[nodiscard]] Route readRoute();
 [[nodiscard]] Route pointRoute(const std::shared_ptr<StudioWork>& work);
 [[nodiscard]] std::vector<Route> clipRoutes(const std::shared_ptr<StudioWork>& work);
 

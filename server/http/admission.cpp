@@ -199,7 +199,7 @@ void Admission::judge(const httplib::Request& request, Verdict& verdict) const {
     if (verdict.route == nullptr) {
         verdict.signs_in = signs_in;
         if (verdict.body_bytes > 0) verdict.refusal = Refusal{400, "a body is not taken here"};
-    } else if (query != std::string_view::npos) {
+    } else if (query != std::string_view::npos && verdict.route->query.empty()) {
         verdict.refusal = Refusal{400, "the address takes no parameters"};
     } else {
         verdict.refusal = bodyProblem(request, *verdict.route, verdict.body_bytes);

@@ -115,6 +115,19 @@ Result<nlohmann::json> jsonBody(const Shape& shape, const std::string& text) {
     return body;
 }
 
+Result<nlohmann::json> queryOf(const Shape& shape, const httplib::Params& came) {
+    nlohmann::json query = nlohmann::json::object();
+    for (const auto& [name, text] : came) {
+        const auto number = naturalNumber(text);
+        if (!number) return fail(storable(name), "found no whole number");
+        if (query.contains(name)) return fail(storable(name), "stands twice");
+        query[name] = *number;
+    }
+    if (const auto checked = checkShape(shape, query); !checked) return tl::unexpected(checked.error());
+    fillIn(shape, query);
+    return query;
+}
+
 Result<std::map<std::string, std::string>> formBody(const std::vector<FormPart>& parts,
                                                     const httplib::MultipartFormDataMap& came) {
     std::map<std::string, std::string> out;
@@ -253,6 +266,11 @@ void Answering::callRoute(const httplib::Request& request, httplib::Response& re
     call.path = verdict_.path_parts;
     if (route.takes_revision && request.has_header("If-Match"))
         call.revision = revisionOf(request.get_header_value("If-Match"));
+    if (!route.query.empty()) {
+        auto query = queryOf(objectShape("", route.query), request.params);
+        if (!query) return writeRefusal(response, refusalOf(query.error()));
+        call.query = std::move(*query);
+    }
     if (request.is_multipart_form_data()) {
         auto form = formBody(route.form, request.files);
         if (!form) return writeRefusal(response, refusalOf(form.error()));

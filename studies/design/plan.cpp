@@ -10,6 +10,7 @@
 #include "core/random.hpp"
 #include "plan_balls.hpp"
 #include "plan_stage.hpp"
+#include "plan_units.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
@@ -193,6 +194,9 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
     if (const Result<void> drawn = drawItems(*stages, targets, bands, Random(seed, "items")); !drawn)
         return tl::unexpected(drawn.error());
 
+    // Where nobody else takes of the targets, they can be shared out over participants.
+    const bool alone =
+        std::count_if(stages->begin(), stages->end(), [](const OpenStage& open) { return open.clips; }) == 1;
     PracticeTurns turns;
     for (const SystemSource& system : study.systems) turns.emplace_back(system.name, 0);
     Random(seed, "practice turns").shuffle(std::span<PracticeTurns::value_type>(turns));
@@ -204,9 +208,10 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
         const Stage& stage = *open.stage;
         plan.stages.push_back(stage.name);
         const std::uint64_t stage_seed = deriveSeed(seed, stage.name);
-        Result<std::vector<Trial>> trials = !open.clips ? pageTrials(stage)
-                                            : stage.practice
-                                                ? practiceTrials(study, stage, open.items, turns, stage_seed)
+        Result<std::vector<Trial>> trials =
+            !open.clips                         ? pageTrials(stage)
+            : alone && mirrorsConditions(stage) ? authoredTrials(study, stage, targets, row, stage_seed)
+            : stage.practice                    ? practiceTrials(study, stage, open.items, turns, stage_seed)
                                                 : scoredTrials(study, stage, open.items, row, stage_seed);
         if (!trials) return tl::unexpected(trials.error());
         const int first = static_cast<int>(plan.trials.size());

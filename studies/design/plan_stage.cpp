@@ -247,6 +247,19 @@ Result<void> addNumbers(const Stage& stage, std::vector<Trial>& trials, Random r
     return {};
 }
 
+/// Authoring: the first trials of each block are practice (Yoon et al. 2021, 7.1.1).
+void markPractice(const Stage& stage, const std::vector<PlannedTrial>& units, const std::vector<int>& order,
+                  std::vector<Trial>& trials) {
+    int block = -1;
+    int place = 0;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const int own = units[order[i]].block;
+        place = own == block ? place + 1 : 0;
+        block = own;
+        trials[i].practice = place < stage.authoring.practice_per_block;
+    }
+}
+
 /// The level whose systems have been practised least; among equals the one whose turn comes first.
 int nextInTurn(const DesignLevels& levels, const std::vector<std::string>& systems, PracticeTurns& turns) {
     std::vector<std::size_t> place(systems.size());
@@ -318,8 +331,27 @@ Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
             trial.check = TrialCheck{CheckKind::repeat, 0, 0.0, trial_of_unit[unit.repeat_of]};
         trial_of_unit[i] = trial.index;
     }
+    markPractice(stage, units, *order, trials);
     if (const Result<void> added = addNumbers(stage, trials, Random(seed, "numbers")); !added)
         return tl::unexpected(added.error());
+    return trials;
+}
+
+Result<std::vector<Trial>> authoredTrials(const Study& study, const Stage& stage,
+                                          const std::vector<TargetItem>& targets, int row,
+                                          std::uint64_t seed) {
+    if (const Result<void> checked = checkDesign(study, stage); !checked)
+        return tl::unexpected(checked.error());
+    const DesignLevels levels = levelsOf(study, stage);
+    const std::vector<PlannedTrial> units = mirroredTrials(study, stage, targets, row);
+    Random random(seed, "places");
+    std::vector<Trial> trials;
+    trials.reserve(units.size());
+    for (const PlannedTrial& unit : units)
+        addTrial(trials, study, stage, stage, unit, levels.shown[unit.shown], random);
+    std::vector<int> order(units.size());
+    std::iota(order.begin(), order.end(), 0);
+    markPractice(stage, units, order, trials);
     return trials;
 }
 

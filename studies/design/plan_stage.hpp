@@ -33,6 +33,10 @@ using PracticeTurns = std::vector<std::pair<std::string, int>>;
 [[nodiscard]] Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
                                                       const std::vector<const TargetItem*>& items, int row,
                                                       std::uint64_t seed);
+/// Of a stage that mirrorsConditions(), from all targets.
+[[nodiscard]] Result<std::vector<Trial>> authoredTrials(const Study& study, const Stage& stage,
+                                                        const std::vector<TargetItem>& targets, int row,
+                                                        std::uint64_t seed);
 [[nodiscard]] Result<std::vector<Trial>> practiceTrials(const Study& study, const Stage& stage,
                                                         const std::vector<const TargetItem*>& items,
                                                         PracticeTurns& turns, std::uint64_t seed);

@@ -35,4 +35,13 @@ struct PlannedTrial {
                                                   const std::vector<const TargetItem*>& items, int row,
                                                   std::uint64_t seed);
 
+/// Whether participants of mirrored conditions can get the same items: authoring in blocks of systems, in the
+/// order of a Williams square, whose items are nested in them and divide by them.
+[[nodiscard]] bool mirrorsConditions(const Stage& stage);
+/// The trials of such a stage in their order, where no other stage takes of the targets: over the
+/// participants of a square (two for two systems) every item that counts is met by every system. `row` as
+/// above. The items that count go round, so that all of them come equally often.
+[[nodiscard]] std::vector<PlannedTrial> mirroredTrials(const Study& study, const Stage& stage,
+                                                       const std::vector<TargetItem>& targets, int row);
+
 }  // namespace deixis::studies

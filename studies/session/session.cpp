@@ -35,7 +35,9 @@ SessionRunner::State::State(const Study& study_in, const StudyPlan& plan_in, con
       core(study_in, clips, avatar, idle, keyboard, std::move(hint)),
       timeline(study_in, plan_in, resume.answered, resume.gap_s),
       checks(study_in, plan_in, resume),
-      place_guard(study_in.headset.place_tolerance_m) {}
+      place_guard(study_in.headset.place_tolerance_m) {
+    core.unfinished = std::move(resume.work);
+}
 
 void SessionRunner::State::begin(const InputFrame& input) {
     started = true;
@@ -83,6 +85,7 @@ void SessionRunner::State::enter(const InputFrame& input) {
     view.closeSign();
     view.frame.balls.clear();
     view.frame.first_look.reset();
+    view.frame.authoring.reset();
     core.share_done = timeline.share();
     if (item->trial != nullptr) core.trial_index = item->trial->index;
     unit = makeUnit(core, *item);
@@ -116,6 +119,7 @@ void SessionRunner::State::keepAnswer(Response response) {
     checks.keep(response);
     timeline.answer(trial.index, countsAsCorrect(trial, response));
     last_answered = trial.index;
+    if (core.unfinishedWork(trial.index) != nullptr) core.unfinished.reset();
     const bool failed = check && !check->passed;
     const CheckRule rule = failed ? checks.ruleFor(trial) : CheckRule::note;
     const Stage* failed_practice = trial.practice ? timeline.failedPractice() : nullptr;
@@ -156,6 +160,7 @@ void SessionRunner::State::end(SessionOutcome how, const char* status) {
     core.view.closePanel();
     core.view.closeSign();
     core.view.frame.balls.clear();
+    core.view.frame.authoring.reset();
     core.view.frame.status = {status};
     core.view.show(PresentedState::over);
     core.view.frame.stage.clear();
@@ -184,6 +189,7 @@ void SessionRunner::State::step(const InputFrame& input) {
     if (!started) begin(input);
     if (input.recording_failed && !over() && !timeline.closingEarly()) stop(input);
     for (const OperatorCommand& command : input.commands) carryOut(input, command);
+    if (input.work && unit && !over()) unit->takeWork(*input.work);
     if (over()) {
         // An abort has ended it.
     } else if (input.quit) {

@@ -34,7 +34,8 @@ struct SessionCore {
     bool pair = false;        ///< two avatars are shown
     SessionView view;
     std::vector<SessionEvent> events{};
-    Moment now{};  ///< of the input last stepped to
+    Moment now{};                                ///< of the input last stepped to
+    std::optional<UnfinishedWork> unfinished{};  ///< of an earlier session
     double panel_since_s = 0.0;
     int trial_index = -1;     ///< of the trial under way, for notes; -1: none is
     double share_done = 0.0;  ///< of the visit, for the bar on pages
@@ -46,6 +47,10 @@ struct SessionCore {
     [[nodiscard]] Moment momentAt(double time_s) const;
     /// The clip, checked. Throws std::invalid_argument where it is empty or has not the avatar's joints.
     [[nodiscard]] const motion::Clip& clipOf(const Stimulus& stimulus) const;
+    /// What an earlier session left of a trial; null: nothing.
+    [[nodiscard]] const UnfinishedWork* unfinishedWork(int trial) const {
+        return unfinished && unfinished->trial_index == trial ? &*unfinished : nullptr;
+    }
     /// What is heard with it in a stage; null: nothing.
     [[nodiscard]] const ClipSound* soundOf(const Stimulus& stimulus, const Stage& stage) const {
         return stage.muted ? nullptr : clips.sound(stimulus);

@@ -26,6 +26,8 @@ class Unit {
     /// `moved`: the participant has been moved since the unit before.
     virtual void enter(const InputFrame& input, bool moved) = 0;
     virtual void step(const InputFrame& input) = 0;  ///< one frame, until done()
+    /// What was authored; also while the session is paused.
+    virtual void takeWork(const AuthoredWork& /*work*/) {}
     /// A frame was shown.
     virtual void shown(std::uint64_t /*frame*/, const Moment& /*at*/) {}
     /// Goes on after a pause, which had put its own board in place of all else.

@@ -52,6 +52,7 @@ void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace stand) 
     met_ = {};  // its buttons are others, also where their ids are the same
     grabbed_ = 0;
     onset_.open();
+    ++frame.board;
     updatePanel(std::move(panel));
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "simulated_author.hpp"
 #include "simulated_boards.hpp"
 #include "simulated_choice.hpp"
 #include "simulated_hand.hpp"
@@ -64,6 +65,7 @@ struct SimulatedParticipant::State {
           watcher(avatar, given.observer.reading, rater),
           chooser(traits.observer, seed),
           placer(traits.observer, seed),
+          author(seed),
           reactions(seed, "reactions"),
           sliding(seed, "sliding") {}
 
@@ -75,6 +77,7 @@ struct SimulatedParticipant::State {
     Watcher watcher;
     BallChooser chooser;
     BallPlacer placer;
+    SimulatedAuthor author;
     Random reactions, sliding;
 
     Situation situation = Situation::watching;
@@ -108,6 +111,13 @@ struct SimulatedParticipant::State {
 
     void see(const PresentedFrame& frame, double time_s) {
         stage_from_viewer = frame.stage_from_viewer;
+        if (frame.state == PresentedState::authoring) {
+            author.see(frame, time_s);
+            situation = Situation::watching;
+            since_s = time_s;
+            dropPlan();
+            return;
+        }
         const BoardReading board = frame.panel ? readBoard(*frame.panel) : BoardReading{};
         if (watcher.expecting()) {
             if (watcher.watchPlay(frame, board, time_s)) {
@@ -341,6 +351,8 @@ struct SimulatedParticipant::State {
         input.erased = std::exchange(to_erase, 0);
         if (hand.act(stage_from_viewer, input)) pressed(time_s);
         input.farther_m = placer.farther_m(hand, input);
+        input.work = author.tell(time_s);
+        input.notes = author.takeNotes();
         return input;
     }
 

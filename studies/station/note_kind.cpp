@@ -27,6 +27,7 @@ constexpr std::array kinds{
     NamedKind{NoteKind::warned, "warned"},
     NamedKind{NoteKind::feedback, "feedback"},
     NamedKind{NoteKind::early_select, "early_select"},
+    NamedKind{NoteKind::edit, "edit"},
     NamedKind{NoteKind::practice_met, "practice_met"},
     NamedKind{NoteKind::practice_failed, "practice_failed"},
     NamedKind{NoteKind::pause, "pause"},

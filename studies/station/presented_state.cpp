@@ -15,7 +15,7 @@ struct StateTraits {
     bool full_page = false;
 };
 
-constexpr std::array<StateTraits, 25> states{{
+constexpr std::array<StateTraits, 26> states{{
     {PresentedState::starting, ""},
     {PresentedState::instructions, "instructions", true},
     {PresentedState::consent, "consent", true},
@@ -40,6 +40,7 @@ constexpr std::array<StateTraits, 25> states{{
     {PresentedState::chosen, "chosen"},
     {PresentedState::feedback, "feedback"},
     {PresentedState::confidence, "confidence"},
+    {PresentedState::authoring, "authoring"},
     {PresentedState::over, "over"},
 }};
 

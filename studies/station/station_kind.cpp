@@ -8,7 +8,7 @@ namespace deixis::studies {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> station_names{"desktop", "headset", "simulated"};
+constexpr std::array<std::string_view, 4> station_names{"desktop", "headset", "simulated", "studio"};
 
 }  // namespace
 

@@ -65,7 +65,7 @@ tl::expected<QuestionnaireFile, std::vector<Error>> loadQuestionnaire(const std:
     questionnaire.text = root.text("text", "");
     questionnaire.reference = root.note("reference");
     questionnaire.per_page = root.count("per_page", 1, 10, questionnaire.per_page);
-    questionnaire.questions = readQuestions(root);
+    questionnaire.questions = readQuestions(root, nullptr);
     readScores(root, questionnaire);
     if (!problems.none()) return tl::unexpected(problems.sorted());
     file.bytes = std::move(*bytes);

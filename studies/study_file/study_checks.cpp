@@ -54,6 +54,12 @@ void finishPractice(StageEntry& entry, const std::deque<StageEntry>& stages) {
                       known.empty() ? "" : proposeName(entry.stage.practice->of, known));
         return;
     }
+    if (of->kind->in_studio) {
+        table.problem("of",
+                      fmt::format("found \"{}\" of kind \"{}\", which has its practice by practice_per_block",
+                                  of->stage.name, of->kind->name));
+        return;
+    }
     if (!of->kind->right_or_wrong) {
         for (const std::string_view key : {"criterion", "max_attempts", "end_if_failed", "again_text"})
             table.reject(key,
@@ -95,6 +101,22 @@ void checkFields(std::deque<StageEntry>& stages) {
                                                      question.id, before->stage.name));
         }
     }
+}
+
+/// A participant rates a system once by a measure.
+void checkRated(std::deque<StageEntry>& stages) {
+    std::map<std::pair<std::string, std::string>, std::string> before;
+    for (StageEntry& entry : stages)
+        for (const Question& question : entry.stage.questionnaire.questions) {
+            if (!question.rates) continue;
+            const auto [known, is_new] =
+                before.emplace(std::pair(question.rates->measure, question.rates->system), question.id);
+            if (!is_new)
+                entry.table.problem(
+                    "questions",
+                    fmt::format("\"{}\" and \"{}\" both rate {} by {}, expected one question", known->second,
+                                question.id, question.rates->system, question.rates->measure));
+        }
 }
 
 /// Targets that a stage takes for one participant.
@@ -159,6 +181,7 @@ void finishStages(StudyReader& reader, std::deque<StageEntry>& stages) {
     for (StageEntry& entry : stages)
         if (entry.stage.practice) finishPractice(entry, stages);
     checkFields(stages);
+    checkRated(stages);
     checkEnoughTargets(reader, stages);
 }
 

@@ -37,23 +37,25 @@ constexpr std::string_view study_keys[] = {
     "name",      "title",           "description",   "reference",          "seed",
     "languages", "eye_height_m",    "inter_trial_s", "after_interruption", "instructions_again_after_s",
     "avatar",    "avatar_height_m", "text_status"};
-constexpr std::string_view targets_keys[] = {"count",           "height_m",     "arc_deg",
-                                             "radius_m",        "fit_manifest", "from_manifest",
-                                             "ball_diameter_m", "visibility"};
+constexpr std::string_view targets_keys[] = {"count",         "height_m",        "arc_deg",
+                                             "radius_m",      "fit_manifest",    "from_manifest",
+                                             "from_projects", "ball_diameter_m", "visibility"};
 constexpr std::string_view distances_keys[] = {"name", "distance_m", "distractors", "avatar_angle_deg",
                                                "participant_angle_deg"};
 constexpr std::string_view layouts_keys[] = {"name", "viewer_m", "heading_deg", "desktop_viewer_m",
                                              "desktop_heading_deg"};
-constexpr std::string_view systems_keys[] = {"name",           "generator", "manifest", "hold_s",
-                                             "unsteadiness_m", "keep",      "fingers",  "levels"};
+constexpr std::string_view systems_keys[] = {"name",     "generator", "manifest",       "projects",
+                                             "controls", "hold_s",    "unsteadiness_m", "keep",
+                                             "fingers",  "levels",    "compared",       "remark"};
 constexpr std::string_view between_keys[] = {"name", "levels"};
 constexpr std::string_view checks_keys[] = {"kind",     "count", "tolerance",
                                             "distance", "rule",  "after_failures"};
 constexpr std::string_view confidence_keys[] = {"text", "scale"};
 constexpr std::string_view reasons_keys[] = {"text", "kind", "options", "required"};
 constexpr std::string_view scale_keys[] = {"kind", "low", "high", "labels"};
-constexpr std::string_view questions_keys[] = {"id",  "kind", "text",  "scale",   "options",
-                                               "low", "high", "whole", "required"};
+constexpr std::string_view questions_keys[] = {"id",  "kind", "text",  "scale",    "options",
+                                               "low", "high", "whole", "required", "rates"};
+constexpr std::string_view rates_keys[] = {"measure", "system"};
 constexpr std::string_view options_keys[] = {"id", "text"};
 constexpr std::string_view headset_keys[] = {"eye_level", "assumed_eye_height_m", "place_tolerance_m",
                                              "record_gaze", "record_hands"};
@@ -81,6 +83,7 @@ constinit const Keys confidence = confidence_keys;
 constinit const Keys reasons = reasons_keys;
 constinit const Keys scale = scale_keys;
 constinit const Keys questions = questions_keys;
+constinit const Keys rates = rates_keys;
 constinit const Keys options = options_keys;
 constinit const Keys headset = headset_keys;
 constinit const Keys analysis = analysis_keys;
@@ -135,6 +138,7 @@ std::vector<std::string> studyKeys() {
         {"stages.confidence.scale", keys::scale},
         {"stages.questions.scale", keys::scale},
         {"stages.questions", keys::questions},
+        {"stages.questions.rates", keys::rates},
         {"stages.questions.options", keys::options},
         {"stages.reasons.options", keys::options},
         {"headset", keys::headset},

@@ -13,7 +13,7 @@ using Keys = std::span<const std::string_view>;
 
 namespace keys {
 extern const Keys root, study, targets, distances, layouts, systems, between, checks, confidence, reasons,
-    scale, questions, options, headset, analysis, leave_out;
+    scale, questions, rates, options, headset, analysis, leave_out;
 extern const Keys any_stage;  ///< every stage has these,
 extern const Keys trials;     ///< every one that shows clips these, too,
 extern const Keys practice;   ///< and practice these; what a kind has beside them it declares

@@ -45,7 +45,25 @@ void readNumberQuestion(TomlTable& table, Question& question) {
                       fmt::format("found {}, expected more than low ({})", question.high, question.low));
 }
 
-Question readQuestion(TomlTable& table, const std::optional<Scale>& shared) {
+/// rates = {measure = "intention", system = "SGT"}
+std::optional<SystemRated> readRated(TomlTable& table, const std::vector<SystemSource>* systems) {
+    if (!table.has("rates")) return std::nullopt;
+    if (systems == nullptr) {
+        table.reject("rates", "in a questionnaire's own file, which knows no systems");
+        return std::nullopt;
+    }
+    TomlTable rates = table.below("rates", table.section("rates", false), keys::rates);
+    SystemRated out{rates.name("measure"), rates.name("system")};
+    if (out.measure == "accuracy" || out.measure == "preference")
+        rates.problem("measure", fmt::format("found \"{}\", which is the report's name for other answers; "
+                                             "expected another name",
+                                             out.measure));
+    if (rates.sound("system")) rates.checkKnown("system", out.system, namesIn(*systems), "[[systems]]");
+    return out;
+}
+
+Question readQuestion(TomlTable& table, const std::optional<Scale>& shared,
+                      const std::vector<SystemSource>* systems) {
     Question question;
     question.id = table.name("id");
     question.text = table.text("text");
@@ -56,11 +74,13 @@ Question readQuestion(TomlTable& table, const std::optional<Scale>& shared) {
     question.kind = static_cast<QuestionKind>(*kind);
     const std::string why = fmt::format("in a question of kind \"{}\"", kinds[*kind]);
     const bool options = question.kind == QuestionKind::choice || question.kind == QuestionKind::choices;
-    if (question.kind != QuestionKind::scale) table.reject("scale", why);
+    if (question.kind != QuestionKind::scale)
+        for (const std::string_view key : {"scale", "rates"}) table.reject(key, why);
     if (!options) table.reject("options", why);
     if (question.kind != QuestionKind::number)
         for (const std::string_view key : {"low", "high", "whole"}) table.reject(key, why);
 
+    if (question.kind == QuestionKind::scale) question.rates = readRated(table, systems);
     if (question.kind == QuestionKind::scale)
         question.scale = shared && !table.has("scale") ? *shared : readScale(table, "scale");
     if (options) question.options = readOptions(table);
@@ -105,13 +125,13 @@ std::vector<QuestionOption> readOptions(TomlTable& table) {
     return options;
 }
 
-std::vector<Question> readQuestions(TomlTable& table) {
+std::vector<Question> readQuestions(TomlTable& table, const std::vector<SystemSource>* systems) {
     std::optional<Scale> shared;
     if (table.has("scale")) shared = readScale(table, "scale");
     std::vector<Question> questions;
     for (const toml::table* entry : table.sections("questions", true)) {
         TomlTable below = table.below("questions", entry, keys::questions);
-        Question question = readQuestion(below, shared);
+        Question question = readQuestion(below, shared, systems);
         if (!question.id.empty() &&
             std::any_of(questions.begin(), questions.end(),
                         [&](const Question& other) { return other.id == question.id; }))

@@ -96,8 +96,9 @@ void finishStages(StudyReader& reader, std::deque<StageEntry>& stages);
 /// A required [key] that is a scale.
 [[nodiscard]] Scale readScale(TomlTable& table, std::string_view key);
 [[nodiscard]] std::vector<QuestionOption> readOptions(TomlTable& table);
-/// [[questions]] and the default scale of a table.
-[[nodiscard]] std::vector<Question> readQuestions(TomlTable& table);
+/// [[questions]] and the default scale of a table. `systems`: those that questions may rate; null: a file of
+/// its own, which knows none.
+[[nodiscard]] std::vector<Question> readQuestions(TomlTable& table, const std::vector<SystemSource>* systems);
 
 // questionnaire_file.cpp
 struct QuestionnaireFile {

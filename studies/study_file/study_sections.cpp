@@ -20,6 +20,15 @@ std::string readPath(TomlTable& table, std::string_view key, const fs::path& fol
     return (folder / table.note(key)).lexically_normal().string();
 }
 
+/// Likewise of a folder of projects: beside the study file, else one of those that ship, by its name.
+std::string readProjects(TomlTable& table, std::string_view key, const StudyReader& reader) {
+    const std::string path = readPath(table, key, reader.folder);
+    const std::string name = table.note(key);
+    std::error_code code;
+    if (reader.folders.speeches.empty() || !isName(name) || fs::exists(path, code)) return path;
+    return (reader.folders.speeches / name).string();
+}
+
 Range asRange(std::pair<double, double> pair) {
     return {pair.first, pair.second};
 }
@@ -59,27 +68,44 @@ Layout readLayout(TomlTable& table, const std::string& name) {
     return layout;
 }
 
-SystemSource readSystem(TomlTable& table, const std::string& name, const fs::path& folder) {
-    SystemSource system{name};
-    if (table.has("generator") && table.has("manifest"))
-        table.problem("manifest", "found both generator and manifest, expected one of them",
-                      "Remove one of the two");
-    else if (!table.has("manifest"))
+/// Of a system's clips: which of three there is. Several, or none, are a problem.
+void readSource(TomlTable& table, SystemSource& system, const StudyReader& reader) {
+    std::vector<std::string_view> found;
+    for (const std::string_view key : {"generator", "manifest", "projects"})
+        if (table.has(key)) found.push_back(key);
+    if (found.size() > 1)
+        table.problem(found.back(),
+                      fmt::format("found both {}, expected one of them", fmt::join(found, " and ")),
+                      found.size() == 2 ? "Remove one of the two" : "Keep one of the three");
+    else if (found.empty() || found.front() == "generator")
         system.generator = table.name("generator");
+    else if (found.front() == "manifest")
+        system.manifest = readPath(table, "manifest", reader.folder);
     else
-        system.manifest = readPath(table, "manifest", folder);
+        system.projects = readProjects(table, "projects", reader);
+}
+
+SystemSource readSystem(TomlTable& table, const std::string& name, const StudyReader& reader) {
+    SystemSource system{name};
+    readSource(table, system, reader);
     if (!system.generator.empty()) {
         const std::vector<std::string>& names = motion::systemNames();
         table.checkKnown("generator", system.generator,
                          std::vector<std::string_view>(names.begin(), names.end()),
                          "the systems that come with the program");
     }
-    if (!system.manifest.empty())
+    if (!system.manifest.empty() || !system.projects.empty())
         for (const std::string_view key : {"hold_s", "unsteadiness_m"})
-            table.reject(key, "with a manifest, whose clips are used as they are");
-    if (!system.generator.empty())
+            table.reject(key, system.projects.empty() ? "with a manifest, whose clips are used as they are"
+                                                      : "with projects, which point at nothing");
+    if (system.manifest.empty() && !(system.generator.empty() && system.projects.empty()))
         for (const std::string_view key : {"keep", "fingers"})
-            table.reject(key, "with a generator, whose clips are made for the avatar");
+            table.reject(key, system.projects.empty()
+                                  ? "with a generator, whose clips are made for the avatar"
+                                  : "with projects, whose clips are made for the avatar");
+    if (!system.generator.empty() || !system.manifest.empty())
+        table.reject("controls", "without projects, which have them");
+    system.controls = table.flag("controls", true);
     constexpr std::string_view keeps[] = {"joint-angles", "pointing-ray"};
     system.keep = static_cast<motion::Keep>(table.choice("keep", keeps, false).value_or(0));
     constexpr std::string_view fingers[] = {"relaxed", "pointing"};
@@ -87,6 +113,11 @@ SystemSource readSystem(TomlTable& table, const std::string& name, const fs::pat
     if (table.has("hold_s")) system.hold_s = table.number("hold_s", 0.1, 10.0);
     if (table.has("unsteadiness_m")) system.unsteadiness_m = table.number("unsteadiness_m", 0.0, 0.5);
     system.levels = table.levels("levels");
+    system.compared = table.flag("compared", true);
+    if (system.compared)
+        table.reject("remark", "with a system that is compared; it says why one is not");
+    else
+        system.remark = table.note("remark");
     return system;
 }
 
@@ -160,12 +191,17 @@ void readSystems(StudyReader& reader) {
     std::vector<TomlTable> tables;
     readNamed(reader, "systems", reader.shows_clips, keys::systems, reader.study.systems,
               [&](TomlTable& table, const std::string& name) {
-                  SystemSource system = readSystem(table, name, reader.folder);
+                  SystemSource system = readSystem(table, name, reader);
                   tables.push_back(table);
                   reader.keepPlace("systems." + name, table,
-                                   system.manifest.empty() ? "generator" : "manifest");
+                                   !system.projects.empty()  ? "projects"
+                                   : system.manifest.empty() ? "generator"
+                                                             : "manifest");
                   return system;
               });
+    const auto& systems = reader.study.systems;
+    if (!systems.empty() && std::ranges::none_of(systems, &SystemSource::compared))
+        tables.front().problem("compared", "found no system that is compared, expected one at least");
     checkLevels(tables, reader.study.systems);
 }
 
@@ -255,19 +291,30 @@ void readTargets(StudyReader& reader) {
     constexpr std::string_view visibilities[] = {"clear", "any"};
     space.clear_view = table.choice("visibility", visibilities, false).value_or(0) == 0;
     if (!reader.shows_balls) table.reject("visibility", "since no game shows balls");
-    if (table.has("from_manifest")) {
-        space.count = 0;
-        space.from_manifest = readPath(table, "from_manifest", reader.folder);
-        reader.keepPlace("targets.from_manifest", table, "from_manifest");
-        table.reject("count", "together with from_manifest, which gives the items");
-        if (!reader.shows_balls)
-            for (const std::string_view key : {"height_m", "arc_deg", "radius_m", "fit_manifest"})
-                table.reject(key, "together with from_manifest, since no game draws distractors");
-    } else {
+    const std::string_view from = table.has("from_projects") ? "from_projects" : "from_manifest";
+    if (!table.has(from)) {
         space.count = table.count("count", 1, 10000);
         if (table.faulty("count")) space.count = 0;  // asks no more of it
+        readRanges(table, reader);
+        return;
     }
-    if (reader.shows_balls || !table.has("from_manifest")) readRanges(table, reader);
+    space.count = 0;
+    if (table.has("from_projects") && table.has("from_manifest"))
+        table.problem("from_projects", "found both from_manifest and from_projects, expected one of them",
+                      "Remove one of the two");
+    if (from == "from_projects")
+        space.from_projects = readProjects(table, from, reader);
+    else
+        space.from_manifest = readPath(table, from, reader.folder);
+    reader.keepPlace(fmt::format("targets.{}", from), table, from);
+    const std::string together = fmt::format("together with {}, ", from);
+    table.reject("count", together + "which gives the items");
+    if (reader.shows_balls && from == "from_projects")
+        table.problem(from, "found items without places, but a stage of this study shows balls",
+                      "Projects point at nothing; see [targets] count and from_manifest");
+    if (reader.shows_balls) return readRanges(table, reader);
+    for (const std::string_view key : {"height_m", "arc_deg", "radius_m", "fit_manifest"})
+        table.reject(key, together + "since no game draws distractors");
 }
 
 void readHeadset(StudyReader& reader) {

@@ -69,15 +69,16 @@ TEST_SUITE("app/clips-author") {
                            "--force");
     }
 
-    TEST_CASE("A project without gestures is told, and nothing is written") {
+    TEST_CASE("A project without a speech and a text is told, and nothing is written") {
         const Scratch scratch;
         project(scratch / "a.json", "model", 0);
         json file = json::parse(slurp(scratch / "a.json"));
-        file["document"]["motion"] = nullptr;
+        file["document"]["speech"] = nullptr;
+        file["document"]["text"] = " ";
         spill(scratch / "b.json", file.dump());
         CHECK_FAILS_SAYING(program("clips author " + (scratch / "a.json") + " " + (scratch / "b.json") +
                                    " -o " + (scratch / "c")),
-                           "b.json.document.motion", "Press Generate");
+                           "b.json.document.speech", "Press Generate");
         CHECK_FALSE(fs::exists(scratch / "c/manifest.csv"));
     }
 }

@@ -178,9 +178,9 @@ TEST_SUITE("app/install") {
         CHECK(offered("re") == Words{"replay", "report", "reproduction"});
         CHECK(offered("clips re") == Words{"resample", "retarget"});
         CHECK(offered("run --st") == Words{"--station", "--stimuli"});
-        CHECK(offered("run --station s") == Words{"simulated"});
+        CHECK(offered("run --station s") == Words{"simulated", "studio"});
         CHECK(offered("run --station = d") == Words{"desktop"});
-        CHECK(offered("run --station =") == Words{"desktop", "headset", "simulated"});
+        CHECK(offered("run --station =") == Words{"desktop", "headset", "simulated", "studio"});
         CHECK(offered("simulate pointing2") == Words{"pointing2023", "pointing2023-stand-ins"});
         CHECK(offered("simulate --participants 2 genea") == Words{"genea-pairwise"});
         CHECK(offered("simulate --participants \"\"").empty());

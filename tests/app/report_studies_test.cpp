@@ -29,8 +29,16 @@ TEST_SUITE("app/report_studies") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string relaxed = scratch / "relaxed.sqlite";
         const std::string rushed = scratch / "rushed.sqlite";
-        REQUIRE(program("simulate sgtoolkit2021 --participants 4 --db " + relaxed).status == 0);
-        REQUIRE(program("simulate sgtoolkit2021-rushed --participants 3 --db " + rushed).status == 0);
+        const std::string fixture = slurp(sourceDir() / "tests/studies/fixtures/parallel_rating.toml");
+        const auto scenario = [&](const std::string& name, const std::string& items) {
+            spill(scratch / (name + ".toml"),
+                  replaced(replaced(fixture, "\"parallel-rating\"\ntitle", "\"" + name + "\"\ntitle"),
+                           "items = 12", "items = " + items));
+            return program("simulate " + (scratch / (name + ".toml")) + " --participants " +
+                           (items == "12" ? "4 --db " + relaxed : "3 --db " + rushed));
+        };
+        REQUIRE(scenario("sgtoolkit2021", "12").status == 0);
+        REQUIRE(scenario("sgtoolkit2021-rushed", "8").status == 0);
         const std::string before = slurp(relaxed) + slurp(rushed);
         const auto report = [&](const std::string& data, const std::string& name) {
             return program("report " + data + " -o " + (scratch / (name + ".html")) + " --json " +

@@ -23,6 +23,15 @@ std::vector<std::string> shippedStudies() {
     return names;
 }
 
+/// Those that this build can show: speeches of projects need the studio's voices.
+std::vector<std::string> playableStudies() {
+    std::vector<std::string> names = shippedStudies();
+#ifndef DEIXIS_STUDIO
+    std::erase_if(names, [](const std::string& name) { return name.starts_with("sgtoolkit2021"); });
+#endif
+    return names;
+}
+
 /// A database of one or more simulated participants.
 Finished simulated(const std::string& study, int participants, const std::string& database) {
     return program("simulate " + study + " --participants " + std::to_string(participants) + " --db " +
@@ -37,7 +46,7 @@ int count(const std::string& database, const std::string& query) {
 
 TEST_SUITE("app/study_commands") {
     TEST_CASE("Every study that ships is checked without a problem, and its plan is printed the same twice") {
-        CHECK(shippedStudies().size() == 8);
+        CHECK(shippedStudies().size() >= 10);
         for (const std::string& study : shippedStudies()) {
             CAPTURE(study);
             const auto checked = program("check " + study);
@@ -99,7 +108,7 @@ TEST_SUITE("app/study_commands") {
 
     TEST_CASE(
         "Every study that ships runs to its end with a simulated participant, each unit answered once") {
-        for (const std::string& study : shippedStudies()) {
+        for (const std::string& study : playableStudies()) {
             CAPTURE(study);
             const Scratch scratch;
             const std::string database = scratch / "study.sqlite";
@@ -127,12 +136,14 @@ TEST_SUITE("app/study_commands") {
     }
 
     TEST_CASE(
-        "30 raters of sgtoolkit2021 give the paper's counts: 12 pages of 4, two attention checks apart, and "
+        "30 raters of four systems on a page give the counts of Yoon et al.: 12 pages of 4, two attention "
+        "checks apart, and "
         "who "
         "fails one ends there") {
         const Scratch scratch;
         const std::string database = scratch / "raters.sqlite";
-        const auto ran = simulated("sgtoolkit2021", 30, database);
+        const auto ran =
+            simulated((sourceDir() / "tests/studies/fixtures/parallel_rating.toml").string(), 30, database);
         REQUIRE_MESSAGE(ran.status == 0, ran.err);
         const std::string pages = "FROM trials WHERE kind = 'parallel-rating' AND NOT practice";
         CHECK(count(database, "SELECT count(*) " + pages) == 30 * 12);

@@ -10,7 +10,9 @@
 #include "app/program.hpp"
 #include "assets/avatar/avatar.hpp"
 #include "assets/gltf_rig.hpp"
+#include "assets/joints/clip_import.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/upper_body/upper_body_clip.hpp"
 #include "studio_server.hpp"
 #include "text.hpp"
 
@@ -165,5 +167,17 @@ TEST_SUITE("server/avatar") {
                 }
         }
         CHECK(turned > 0.5);
+        // And so does a file.
+        const auto file = server.client().Post(
+            "/v1/export", json{{"frames", frames}, {"format", "bvh"}}.dump(), "application/json");
+        REQUIRE(file);
+        REQUIRE_MESSAGE(file->status == 200, file->body);
+        const auto clip = assets::importClipBytes(file->body, "theirs.bvh");
+        REQUIRE(clip);
+        CHECK(clip->clip.skeleton.find("upperChest") < 0);
+        const auto back = motion::upperBodyOf(clip->clip, motion::mapByVrmNames(clip->clip.skeleton));
+        REQUIRE(back);
+        for (std::size_t k = 9; k < 27; ++k)
+            CHECK(std::abs(motion::numbersOf(back->frames[0])[k] - frames[0][k].get<double>()) < 0.1);
     }
 }

@@ -12,6 +12,7 @@
 
 #include "app/program.hpp"
 #include "core/text.hpp"
+#include "played_session.hpp"
 #include "studio_server.hpp"
 #include "text.hpp"
 
@@ -184,7 +185,8 @@ httplib::Result send(const StudioServer& server, const Operation& operation, con
 TEST_SUITE("server/openapi") {
     TEST_CASE("Every documented route takes and answers what the document says") {
         const Scratch scratch;
-        const StudioServer server{studioPartsIn(scratch / "kept")};
+        const PlayedSession session;
+        const StudioServer server{session.in(studioPartsIn(scratch / "kept"))};
         const json document = server.get("/v1/openapi.json");
         CHECK(document["openapi"] == "3.1.0");
         CHECK(document["info"]["version"] == "1.2.3");
@@ -234,7 +236,16 @@ TEST_SUITE("server/openapi") {
                         ask(with);
                     }
             }
-            if (operation.takesForm()) {
+            if (operation.path == "/v1/motions/read") {
+                const auto clip = client.Post(
+                    "/v1/export", json{{"frames", server.get("/v1/motions")["motions"][0]["frames"]}}.dump(),
+                    "application/json");
+                REQUIRE(clip->status == 200);
+                const auto answer = client.Post(
+                    path, httplib::MultipartFormDataItems{{"name", "a.bvh", "", ""},
+                                                          {"clip", clip->body, "a.bvh", "text/plain"}});
+                checks.add(operation, *answer);
+            } else if (operation.takesForm()) {
                 const auto wav = client.Get(speech["sound"].get<std::string>());
                 REQUIRE(wav->status == 200);
                 const auto answer = client.Post(
@@ -249,7 +260,8 @@ TEST_SUITE("server/openapi") {
 
     TEST_CASE("Each documented field is refused by its name where it is wrong") {
         const Scratch scratch;
-        const StudioServer server{studioPartsIn(scratch / "kept")};
+        const PlayedSession session;
+        const StudioServer server{session.in(studioPartsIn(scratch / "kept"))};
         const json document = server.get("/v1/openapi.json");
         const json refusal =
             document["components"]["responses"]["Refusal"]["content"]["application/json"]["schema"];
@@ -319,5 +331,24 @@ TEST_SUITE("server/openapi") {
         const json quick{{"name", quick_voice}, {"language", "en"}};
         CHECK(std::count(health["voices"].begin(), health["voices"].end(), quick) == 1);
         CHECK(health["other_languages"] == false);
+        CHECK_FALSE(health.contains("session"));
+        const PlayedSession session;
+        const StudioServer in_session{session.in(studioParts())};
+        CHECK(in_session.get("/v1/health")["session"] ==
+              json{{"participant", "P01"}, {"study", "a-study"}, {"language", "en"}});
+    }
+
+    TEST_CASE("What stands behind the path is checked as it is declared") {
+        const PlayedSession session;
+        const StudioServer server{session.in(studioParts())};
+        const json document = server.get("/v1/openapi.json");
+        CHECK(document["paths"]["/v1/session"]["get"]["parameters"][0]["name"] == "after");
+        CHECK(document["paths"]["/v1/session"]["get"]["parameters"][0]["in"] == "query");
+        CHECK(server.get("/v1/session?after=0")["revision"] == 1);
+        CHECK(server.ask("/v1/session?after=x").field() == "after");
+        CHECK(server.ask("/v1/session?after=-1").field() == "after");
+        CHECK(server.ask("/v1/session?before=1").field() == "before");
+        CHECK(server.ask("/v1/session?after=1&after=2").field() == "after");
+        CHECK(server.ask("/v1/health?after=1").status == 400);
     }
 }

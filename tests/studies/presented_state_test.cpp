@@ -26,11 +26,11 @@ TEST_SUITE("studies/presented_state") {
     // Traces, --screenshot and labs' own scripts know these.
     TEST_CASE("each state keeps its name") {
         CHECK(names(false) == std::set<std::string>{
-                                  "instructions",   "consent",   "questionnaire", "break",    "welcome-back",
-                                  "practice-again", "attention", "closing",       "paused",   "waiting",
-                                  "playing",        "pointing",  "check",         "rating",   "rated",
-                                  "watching",       "comparing", "reasons",       "choosing", "aiming",
-                                  "chosen",         "feedback",  "confidence",    "over"});
+                                  "authoring",    "instructions",   "consent",   "questionnaire", "break",
+                                  "welcome-back", "practice-again", "attention", "closing",       "paused",
+                                  "waiting",      "playing",        "pointing",  "check",         "rating",
+                                  "rated",        "watching",       "comparing", "reasons",       "choosing",
+                                  "aiming",       "chosen",         "feedback",  "confidence",    "over"});
         CHECK(presentedStateName(PresentedState::starting).empty());
     }
 

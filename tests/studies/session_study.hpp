@@ -136,6 +136,9 @@ class OneClip : public ClipSource {
   public:
     explicit OneClip(motion::Clip clip) : clip_(std::move(clip)) {}
     [[nodiscard]] const motion::Clip& clip(const Stimulus&) const override { return clip_; }
+    [[nodiscard]] const std::string* project(const Stimulus&) const override { return &project_text; }
+
+    std::string project_text = R"({"version":2})";
 
   private:
     motion::Clip clip_;

@@ -21,7 +21,7 @@ using namespace deixis::studies;
 namespace {
 
 const fs::path data = deixis::tests::sourceDir() / "assets/data";
-const StudyFolders folders{data / "languages", data / "questionnaires"};
+const StudyFolders folders{data / "languages", data / "questionnaires", {}, data / "speeches"};
 
 /// All that ship, in the order of their names.
 std::vector<fs::path> shippedFiles() {
@@ -63,6 +63,14 @@ StudyPlan planOf(const Study& study, const std::vector<TargetItem>& targets, int
 }
 
 std::vector<TargetItem> targetsOf(const Study& study) {
+    if (!study.targets.from_projects.empty()) {
+        std::set<std::string> names;
+        for (const auto& entry : fs::directory_iterator(study.targets.from_projects))
+            names.insert(entry.path().stem().stem().string());
+        std::vector<TargetItem> items;
+        for (const std::string& name : names) items.push_back({name, Vec3(0.0), false, {}});
+        return items;
+    }
     const Result<std::vector<TargetItem>> targets = sampleTargets(study);
     if (!targets) FAIL(study.name << ": " << targets.error().text());
     return *targets;
@@ -74,6 +82,12 @@ std::vector<Trial> trialsOf(const StudyPlan& plan, const std::string& stage_name
         if (trial.stage == stage_name) trials.push_back(trial);
     }
     return trials;
+}
+
+/// Whether it is done in the studio's page.
+bool isAuthored(const Study& study) {
+    return std::any_of(study.stages.begin(), study.stages.end(),
+                       [](const Stage& one) { return one.kind == StageKind::authoring; });
 }
 
 /// Everything that a participant reads of a study's own.
@@ -135,6 +149,7 @@ TEST_SUITE("studies/shipped_studies") {
             {"sv", {"tangent", " mus ", "musen", "klick", "tryck på", "skärm", "kontroll"}},
             {"ko", {"키보드", "마우스", "클릭", "누르", "화면", "컨트롤러"}}};
         for (const fs::path& file : shippedFiles()) {
+            if (isAuthored(load(file))) continue;  // in a browser
             for (const auto& [language, banned] : words) {
                 for (const std::string& text : texts(load(file, language))) {
                     for (const std::string& word : banned) {
@@ -271,9 +286,31 @@ TEST_SUITE("studies/shipped_studies") {
         }
         // The paper's two measures, with 60 raters in each scenario: 4560 (7.2.3).
         CHECK(2 * ratings == 4560);
-        // Two sets of speeches: no place is in both.
+        // Two sets of speeches: none is in both.
         for (const TargetItem& rushed : sets[0])
-            for (const TargetItem& relaxed : sets[1]) CHECK(rushed.target != relaxed.target);
+            for (const TargetItem& relaxed : sets[1]) CHECK(rushed.id != relaxed.id);
+    }
+
+    TEST_CASE("sgtoolkit2021 is four studies: two scenarios by two measures, human-likeness muted.") {
+        for (const char* scenario : {"", "-rushed"}) {
+            const Study likeness = shipped(std::string("sgtoolkit2021") + scenario);
+            const Study appropriateness = shipped(std::string("sgtoolkit2021-appropriateness") + scenario);
+            const Stage &muted = stage(likeness, "human-likeness"),
+                        &heard = stage(appropriateness, "appropriateness");
+            CHECK(muted.muted);
+            CHECK_FALSE(heard.muted);
+            CHECK(heard.measure == "appropriateness");
+            CHECK(heard.design.items == muted.design.items);
+            CHECK(appropriateness.targets.from_projects == likeness.targets.from_projects);
+            CHECK(appropriateness.seed != likeness.seed);
+            for (const Study* study : {&likeness, &appropriateness})
+                for (const SystemSource& system : study->systems) {
+                    CHECK(system.projects == study->targets.from_projects);
+                    CHECK(system.compared ==
+                          (system.name != "REF"));  // the rules' own clip is no recorded motion
+                    CHECK((system.remark.find("synthetic") != std::string::npos) == (system.name == "REF"));
+                }
+        }
     }
 
     TEST_CASE("The two scenarios of sgtoolkit2021 differ in their set, their pages and the minutes alone.") {
@@ -283,17 +320,19 @@ TEST_SUITE("studies/shipped_studies") {
         };
         for (const char* language : {"en", "de", "sv", "ko"}) {
             CAPTURE(language);
-            const Study relaxed = load(data / "studies/sgtoolkit2021.toml", language);
-            const Study rushed = load(data / "studies/sgtoolkit2021-rushed.toml", language);
-            const std::vector<std::string> a = texts(relaxed);
-            const std::vector<std::string> b = texts(rushed);
-            REQUIRE(a.size() == b.size());
-            int differ = 0;
-            for (std::size_t i = 0; i < a.size(); ++i) {
-                CHECK(withoutDigits(a[i]) == withoutDigits(b[i]));
-                differ += a[i] != b[i];
+            for (const std::string name : {"sgtoolkit2021", "sgtoolkit2021-appropriateness"}) {
+                const Study relaxed = load(data / ("studies/" + name + ".toml"), language);
+                const Study rushed = load(data / ("studies/" + name + "-rushed.toml"), language);
+                const std::vector<std::string> a = texts(relaxed);
+                const std::vector<std::string> b = texts(rushed);
+                REQUIRE(a.size() == b.size());
+                int differ = 0;
+                for (std::size_t i = 0; i < a.size(); ++i) {
+                    CHECK(withoutDigits(a[i]) == withoutDigits(b[i]));
+                    differ += a[i] != b[i];
+                }
+                CHECK(differ == 1);  // the consent's minutes
             }
-            CHECK(differ == 1);  // the consent's minutes
         }
     }
 

@@ -55,6 +55,31 @@ TEST_SUITE("studies/study_combinations") {
               "systems.manifest",
               {"both"}},
              {"generator = \"direct\"\n", "", "[[systems]]", "systems.generator", {"missing"}},
+             {"generator = \"direct\"",
+              "generator = \"direct\"\nprojects = \"authored\"",
+              "projects = \"authored\"",
+              "systems.projects",
+              {"both generator and projects"}},
+             {"manifest = \"clips.csv\"",
+              "projects = \"authored\"\nhold_s = 1",
+              "hold_s",
+              "systems.hold_s",
+              {"with projects"}},
+             {"generator = \"direct\"",
+              "generator = \"direct\"\ncontrols = false",
+              "controls",
+              "systems.controls",
+              {"without projects"}},
+             {"generator = \"direct\"",
+              "generator = \"direct\"\nremark = \"none\"",
+              "remark",
+              "systems.remark",
+              {"with a system that is compared"}},
+             {"count = 20",
+              "from_projects = \"authored\"",
+              "from_projects",
+              "targets.from_projects",
+              {"without places"}},
              {"manifest = \"clips.csv\"",
               "manifest = \"clips.csv\"\nhold_s = 1",
               "hold_s",
@@ -380,14 +405,15 @@ TEST_SUITE("studies/study_combinations") {
     }
 
     TEST_CASE("Targets must do for whichever group needs most of them.") {
-        // seen: practice 2 x 3, rate 4, play 6 and 2 catch trials; unseen: side 3 or pairs 2 instead of rate.
+        // seen: practice 2 x 3, rate 4, play 6 and 2 catch trials; unseen: side 3 or pairs 2 instead of rate;
+        // all: author 4.
         const Folder folder;
         const std::string full = readText(fixtures / "full.toml");
-        CHECK(loaded(folder.write(replaced(full, "count = 60", "count = 18"))).targets.count == 18);
+        CHECK(loaded(folder.write(replaced(full, "count = 60", "count = 22"))).targets.count == 22);
         const std::vector<Error> errors =
-            problemsOf(folder.write(replaced(full, "count = 60", "count = 17")));
+            problemsOf(folder.write(replaced(full, "count = 60", "count = 21")));
         REQUIRE(errors.size() == 1);
-        CHECK(errors[0].message.find("at least 18") != std::string::npos);
-        CHECK(errors[0].message.find("practice (6), rate (4), play (8)") != std::string::npos);
+        CHECK(errors[0].message.find("at least 22") != std::string::npos);
+        CHECK(errors[0].message.find("practice (6), rate (4), play (8), author (4)") != std::string::npos);
     }
 }

@@ -450,6 +450,7 @@ TEST_SUITE("studies/study_file") {
                 found = found || text.find(form) != std::string::npos;
             if (!found) unused.insert(key);
         }
-        CHECK(unused == std::set<std::string>{"targets.fit_manifest", "targets.from_manifest"});
+        CHECK(unused == std::set<std::string>{"targets.fit_manifest", "targets.from_manifest",
+                                              "targets.from_projects"});
     }
 }

@@ -33,6 +33,12 @@ void checkRoomForPair(TomlTable& table, const Study& study, const std::vector<st
 void checkLevels(TomlTable& table, const Study& study, const Stage& stage) {
     if (!table.faulty("systems") && stage.design.systems.size() == 1)
         table.problem("systems", "found 1 system, expected 2 or more: a pair has two");
+    for (const std::string& name : stage.design.systems)
+        if (const SystemSource* system = study.findSystem(name); system != nullptr && !system->compared)
+            table.problem("systems",
+                          fmt::format("found \"{}\", which is not to be compared, expected systems that "
+                                      "are: a pair is a comparison",
+                                      name));
     checkRoomForPair(table, study, stage.design.layouts);
 }
 
@@ -54,6 +60,11 @@ Question readReasons(TomlTable& parent) {
 
 void read(TomlTable& table, StageReading& reading, Stage& stage) {
     readTrials(table, reading, stage);
+    if (!table.has("systems"))
+        std::erase_if(stage.design.systems, [&](const std::string& name) {
+            const SystemSource* system = reading.reader.study.findSystem(name);
+            return system != nullptr && !system->compared;
+        });
     if (table.has("reasons")) stage.reasons = readReasons(table);
 }
 

@@ -89,7 +89,7 @@ void read(TomlTable& table, StageReading& reading, Stage& stage) {
     questionnaire.title = table.text("title", "");
     questionnaire.text = table.text("text", "");
     questionnaire.per_page = table.count("per_page", 1, 10, questionnaire.per_page);
-    questionnaire.questions = readQuestions(table);
+    questionnaire.questions = readQuestions(table, &reading.reader.study.systems);
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ struct StationRequest {
     bool fullscreen = false;
     bool operator_window = false;  ///< desktop: the experimenter's beside the participant's
     std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells the experimenter
+    int port = 0;                                         ///< studio: 0: a free one
+    bool no_browser = false;                              ///< studio: none is opened
     double resolution_scale = 1.0;  ///< headset: of the size that the runtime recommends
     std::string simulated_parameters;
     /// What is heard with the clips, by ClipSound::id; empty: nothing is. Simulated participants hear

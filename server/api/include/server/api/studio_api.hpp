@@ -23,6 +23,14 @@ struct DrawnAvatar {
     motion::HumanoidMap humanoid;
 };
 
+/// A session of a study that the page takes part in.
+struct StudySession {
+    std::string participant;
+    std::string study;     ///< its name
+    std::string language;  ///< that its texts are in
+    std::vector<Route> routes;
+};
+
 /// What the routes work with.
 struct StudioParts {
     std::string version;  ///< of the program
@@ -35,6 +43,7 @@ struct StudioParts {
     std::optional<DrawnAvatar> avatar{};  ///< none: Deixis's own is drawn
     /// Where motions, rules and projects are kept; none: they are not.
     std::optional<KeptFolder> folder{};
+    std::optional<StudySession> session{};
 };
 
 /// They may be called from several threads, and keep what they need.

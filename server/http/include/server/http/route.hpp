@@ -52,6 +52,7 @@ using Answer = tl::expected<Reply, Refusal>;
 /// What a route is called with: checked by its declaration.
 struct Call {
     std::map<std::string, std::string> path{};  ///< what stands in the braces
+    nlohmann::json query{};                     ///< an object: what stood behind the '?', as declared
     nlohmann::json body{};                      ///< null where the route takes none, or a form came
     std::optional<std::map<std::string, std::string>> form{};  ///< name and bytes of each part
     std::optional<std::string> revision{};                     ///< of If-Match, without its quotes; "*": any
@@ -80,6 +81,7 @@ struct Route {
     std::string name;  ///< of the operation in the document
     std::string about;
     std::map<std::string, std::string> path_parts{};     ///< what the names in braces are
+    std::vector<ShapeField> query{};                     ///< whole numbers behind the '?'
     std::optional<Shape> body{};                         ///< JSON that it takes
     std::vector<FormPart> form{};                        ///< or an upload
     std::size_t max_body_bytes = std::size_t{1} << 20U;  ///< of JSON

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,6 +37,13 @@ class ClipSource {
     [[nodiscard]] virtual const std::string* project(const Stimulus& /*stimulus*/) const { return nullptr; }
 };
 
+/// How far a trial of authoring had come.
+struct UnfinishedWork {
+    int trial_index = -1;
+    AuthoredProject project{};
+    double used_s = 0.0;  ///< of its time
+};
+
 /// What earlier sessions of the participant left.
 struct Resume {
     /// Trial index -> correct (false only for a wrong choice of the game). A consent that was declined is not
@@ -44,6 +52,8 @@ struct Resume {
     std::set<int> begun{};  ///< unanswered trials whose clip had been begun
     /// By stage and kind; not those that were forgiven when the participant was let in again.
     std::map<std::pair<std::string, CheckKind>, int> check_failures{};
+    /// Work on a trial of authoring that was broken off.
+    std::optional<UnfinishedWork> work{};
     /// Answers to trials that a check repeats (TrialCheck::of_trial). Without, such a repeat is not judged.
     std::vector<Response> first_answers{};
     double gap_s = 0.0;  ///< from the last thing known of the session before until now; 0: there was none

@@ -25,6 +25,7 @@ enum class NoteKind : std::uint8_t {
     early_select,  ///< select went down before the answer was open (what was shown, at most once a trial), or
                    ///< so
                    ///< shortly before that it was told afterwards (by how much); it was not an answer
+    edit,          ///< of a project that is authored: JSON of what was done
     practice_met,  ///< share correct
     practice_failed,
     // Interruptions.

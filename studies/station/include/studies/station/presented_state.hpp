@@ -32,6 +32,7 @@ enum class PresentedState : unsigned char {
     chosen,      ///< the ball chosen is shown
     feedback,    ///< the target is shown
     confidence,  ///< how sure the choice was
+    authoring,   ///< gestures are made in the studio's page
     over
 };
 

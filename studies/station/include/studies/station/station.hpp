@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "core/pose.hpp"
+#include "studies/station/authoring.hpp"
 #include "studies/station/first_look.hpp"
 #include "studies/station/note_kind.hpp"
 #include "studies/station/pause_reason.hpp"
@@ -68,6 +69,8 @@ struct InputFrame {
     int erased = 0;        ///< how often Backspace went down, after what was typed
     bool pause = false;    ///< Esc went down, or focus or tracking was lost
     bool resume = false;   ///< the operator ends the pause
+    /// What was authored since the frame before; also while the session is paused.
+    std::optional<AuthoredWork> work{};
     std::vector<OperatorCommand> commands{};
     PauseReason pause_reason = PauseReason::unsaid;
     bool quit = false;          ///< the window was closed or the operator ends the session
@@ -203,8 +206,10 @@ struct PresentedFrame {
     std::optional<RayView> ray;
     std::optional<SoundView> sound{};
     std::optional<Panel> panel;
+    std::uint64_t board = 0;  ///< counts up with each panel that comes; the same while its contents change
     /// A small board beside the avatar's head, to be read only: the number of an attention check.
     std::optional<Panel> sign;
+    std::optional<AuthoringTask> authoring{};  ///< present in such a trial, also while it is paused
     Pose stage_from_viewer{};  ///< where the participant is asked to stand: on the floor, -z is forward
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
     SessionStatus status{};    ///< for the operator

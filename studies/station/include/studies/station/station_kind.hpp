@@ -7,9 +7,9 @@
 
 namespace deixis::studies {
 
-enum class StationKind : std::uint8_t { desktop, headset, simulated };
+enum class StationKind : std::uint8_t { desktop, headset, simulated, studio };
 
-/// "desktop", "headset", "simulated": on the command line, in databases and in reports.
+/// "desktop", "headset", "simulated", "studio": on the command line, in databases and in reports.
 [[nodiscard]] std::string_view stationKindName(StationKind kind);
 [[nodiscard]] std::optional<StationKind> stationKindNamed(std::string_view name);
 

@@ -1,6 +1,7 @@
 // Answers on a scale, and questions of any kind: what ratings, game confidence and questionnaires share.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,12 @@ struct QuestionOption {
     std::string text;  ///< what the participant reads
 };
 
+/// What an answer on a scale says of a system as a whole: it counts as a rating of it.
+struct SystemRated {
+    std::string measure;  ///< its name in tables and report
+    std::string system;   ///< of [[systems]]
+};
+
 struct Question {
     std::string id;  ///< unique within its questionnaire; kept in the record
     QuestionKind kind = QuestionKind::scale;
@@ -42,8 +49,9 @@ struct Question {
     std::vector<QuestionOption> options{};
     double low = 0.0;
     double high = 100.0;
-    bool whole = true;     ///< numbers only: no fractions
-    bool required = true;  ///< a page is left only when its required questions are answered
+    bool whole = true;                   ///< numbers only: no fractions
+    bool required = true;                ///< a page is left only when its required questions are answered
+    std::optional<SystemRated> rates{};  ///< scale
 };
 
 }  // namespace deixis::studies

@@ -56,6 +56,7 @@ struct StageDeclaration {
     Arrangement arrangement = Arrangement::listed;
     bool placed = false;          ///< the target of an item must have a place in the room
     bool balls = false;           ///< the target is shown among distractors: there is a factor "distance"
+    bool in_studio = false;       ///< done in the studio's page; its clips are not shown
     bool right_or_wrong = false;  ///< there are wrong answers, so that practice may have a criterion
     std::span<const CheckKind> checks{};  ///< attention checks that it may have
 

@@ -64,16 +64,22 @@ struct TargetSpace {
                                  ///< then are empty until fitTargetSpace() fills them; empty: as written
     std::string from_manifest{};  ///< path (resolved) of a manifest whose items are the study's; then there
                                   ///< are no ranges unless a game draws distractors
+    std::string from_projects{};  ///< likewise: folder of the studio's projects, named ITEM.SYSTEM.json,
+                                  ///< whose items are the study's, without places
     double ball_diameter_m = 0.1;
     bool clear_view = true;  ///< balls that a participant could not see are drawn again; else the bare rule
 };
 
-/// One of the systems compared. Exactly one of `generator` and `manifest` is set.
+/// One of the systems. Exactly one of `generator`, `manifest` and `projects` is set.
 struct SystemSource {
     std::string name;
     std::string generator{};  ///< name of a built-in generator
     std::string
         manifest{};  ///< path of a manifest of clips; written relative to the study file, here resolved
+    std::string projects{};  ///< folder (resolved) of the studio's projects, of which the clips are made
+    /// Projects only: false takes their poses, styles and motions out, so that they are what authors begin
+    /// with.
+    bool controls = true;
     /// Built-in generators only: how the pointing is held. None: as the generator does by itself.
     std::optional<double> hold_s{};
     std::optional<double> unsteadiness_m{};  ///< how far the fingertip wanders during the hold
@@ -83,6 +89,11 @@ struct SystemSource {
     bool pointing_fingers = false;
     /// Factors that are nested in the systems, for the analysis: {"hold": "long"}.
     std::map<std::string, std::string> levels{};
+    bool compared = true;  ///< false: in no test, ranking or figure of the report, which shows it apart
+    std::string remark{};  ///< of one that is not compared: what it is, and why
+    /// Of a locked study: what the clips' manifest says was done to them (assets::ManifestRow::processing),
+    /// in the order of the rows, each once; empty: nothing.
+    std::string processing{};
 };
 
 /// A between-participants factor: each gets one level, see assignGroups(). Stages say for which levels they
@@ -160,6 +171,16 @@ struct Practice {
     std::string again_text{};    ///< page before a further attempt; required where there may be one
 };
 
+/// What a participant may do in a trial of authoring, and for how long.
+struct AuthoringLimits {
+    std::vector<std::string> keyframes_only{};  ///< systems with neither model nor styles
+    int practice_per_block = 0;                 ///< the first trials of each block, which do not count
+    double limit_s = 300.0;
+    double practice_limit_s = 300.0;
+    bool may_end_early = false;
+    bool practice_may_end_early = false;
+};
+
 /// One stage, in the order of the file. What does not belong to its kind keeps its default.
 struct Stage {
     std::string name;  ///< unique
@@ -189,6 +210,7 @@ struct Stage {
     double time_limit_s = 0.0;             ///< for the answer; 0: none
     std::optional<Question> confidence{};  ///< game: asked after the choice, on a scale
     std::optional<Question> reasons{};     ///< pairwise: asked after a preference that is not a tie
+    AuthoringLimits authoring{};           ///< authoring
 
     [[nodiscard]] bool scored() const { return showsClips(kind) && !practice; }
 };
@@ -253,7 +275,8 @@ struct Study {
     std::vector<std::filesystem::path> questionnaire_files{};  ///< those it names, each once, in their order
     std::vector<std::filesystem::path> language_files{};       ///< of the program's words, likewise
     /// Where the study file says something that only other files can tell to be wrong, as "FILE:LINE: key":
-    /// "study.avatar", "targets.fit_manifest", "targets.from_manifest", "systems.NAME", "layouts.NAME".
+    /// "study.avatar", "targets.fit_manifest", "targets.from_manifest", "targets.from_projects",
+    /// "systems.NAME", "layouts.NAME".
     std::map<std::string, std::string> places{};
 
     /// Of `places`; the file if there is none.
@@ -271,6 +294,7 @@ struct StudyFolders {
     /// Where `languages` were kept by an earlier program: LANGUAGE.toml of this one, which has the words that
     /// are new since.
     std::filesystem::path words_since{};
+    std::filesystem::path speeches{};  ///< folders of projects that ship, by their names
 };
 
 /// Reads and checks a study file in all its languages; the texts of the result are in `language` (empty: the

@@ -12,15 +12,16 @@
 #include <cstddef>
 #include <initializer_list>
 
-#define DEIXIS_STAGE_KINDS(KIND)                                                      \
-    KIND(instructions)    /* page: to be read */                                      \
-    KIND(consent)         /* consent */                                               \
-    KIND(questionnaire)   /* questionnaire */                                         \
-    KIND(rating)          /* rating: a single stimulus */                             \
-    KIND(parallel_rating) /* parallel_rating: 2 to 6 stimuli of one item on a page */ \
-    KIND(pairwise)        /* preference: two stimuli of one item, which is better */  \
-    KIND(game)            /* game: the referential game */                            \
-    KIND(placement)       /* placement: a ball is put where the avatar points */      \
+#define DEIXIS_STAGE_KINDS(KIND)                                                              \
+    KIND(instructions)    /* page: to be read */                                              \
+    KIND(consent)         /* consent */                                                       \
+    KIND(questionnaire)   /* questionnaire */                                                 \
+    KIND(rating)          /* rating: a single stimulus */                                     \
+    KIND(parallel_rating) /* parallel_rating: 2 to 6 stimuli of one item on a page */         \
+    KIND(pairwise)        /* preference: two stimuli of one item, which is better */          \
+    KIND(game)            /* game: the referential game */                                    \
+    KIND(placement)       /* placement: a ball is put where the avatar points */              \
+    KIND(authoring)       /* authoring: gestures to a speech are made in the studio's page */ \
     KIND(rest)            /* page: a break */
 
 namespace deixis::studies {

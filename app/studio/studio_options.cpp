@@ -1,4 +1,4 @@
-#include "studio_options.hpp"
+#include "app/studio/studio_options.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

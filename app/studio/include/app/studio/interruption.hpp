@@ -14,6 +14,8 @@ class Interruption {
 
     /// Returns when one came.
     void wait() const;
+    /// Whether one came, without waiting; true once for each.
+    [[nodiscard]] bool came() const;
 };
 
 }  // namespace deixis::app

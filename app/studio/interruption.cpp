@@ -1,4 +1,4 @@
-#include "interruption.hpp"
+#include "app/studio/interruption.hpp"
 
 #include <semaphore.h>
 
@@ -9,18 +9,18 @@ namespace deixis::app {
 
 namespace {
 
-sem_t came;
+sem_t pending;
 
 /// A semaphore is what a handler may post.
 void onEnd(int signal) {
     (void)std::signal(signal, SIG_DFL);
-    sem_post(&came);
+    sem_post(&pending);
 }
 
 }  // namespace
 
 Interruption::Interruption() {
-    sem_init(&came, 0, 0);
+    sem_init(&pending, 0, 0);
     (void)std::signal(SIGINT, onEnd);
     (void)std::signal(SIGTERM, onEnd);
 }
@@ -28,12 +28,16 @@ Interruption::Interruption() {
 Interruption::~Interruption() {
     (void)std::signal(SIGINT, SIG_DFL);
     (void)std::signal(SIGTERM, SIG_DFL);
-    sem_destroy(&came);
+    sem_destroy(&pending);
 }
 
 void Interruption::wait() const {
-    while (sem_wait(&came) != 0 && errno == EINTR) {
+    while (sem_wait(&pending) != 0 && errno == EINTR) {
     }
+}
+
+bool Interruption::came() const {
+    return sem_trywait(&pending) == 0;
 }
 
 }  // namespace deixis::app
