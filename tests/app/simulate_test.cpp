@@ -47,7 +47,7 @@ TEST_SUITE("app/simulate") {
             program("report " + db + " -o " + (scratch / "r.html") + " --json " + (scratch / "r.json"));
         INFO(report.err);
         REQUIRE(report.status == 0);
-        CHECK(contains(slurp(scratch / "r.html"), "is synthetic: this program made it"));
+        CHECK(contains(slurp(scratch / "r.html"), "is synthetic: rules or formulas made it"));
         // Counted by SQLite.
         const std::string who =
             shell("sqlite3 -readonly " + db +
