@@ -45,22 +45,6 @@ Json ballsJson(const std::vector<studies::BallView>& balls) {
     return out;
 }
 
-const char* roleName(studies::ButtonRole role) {
-    switch (role) {
-        case studies::ButtonRole::go_on:
-            return "go_on";
-        case studies::ButtonRole::leave:
-            return "leave";
-        case studies::ButtonRole::play:
-            return "play";
-        case studies::ButtonRole::option:
-            return "option";
-        case studies::ButtonRole::other:
-            return "other";
-    }
-    throw std::logic_error("a button with a role that has no name");
-}
-
 Json buttonsJson(const studies::PresentedFrame& frame) {
     Json out = Json::array();
     if (!frame.panel) return out;
@@ -68,7 +52,7 @@ Json buttonsJson(const studies::PresentedFrame& frame) {
         const Vec3 centre{button.box.x + button.box.width / 2.0, button.box.y + button.box.height / 2.0, 0.0};
         out.push_back({{"id", button.id},
                        {"label", button.label},
-                       {"role", roleName(button.role)},
+                       {"role", std::string(studies::buttonRoleName(button.role))},
                        {"enabled", button.enabled},
                        {"chosen", button.chosen},
                        {"hovered", button.hovered},

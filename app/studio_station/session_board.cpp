@@ -12,22 +12,6 @@ ordered_json boxJson(const studies::PanelRect& box) {
     return {box.x, box.y, box.width, box.height};
 }
 
-const char* roleName(studies::ButtonRole role) {
-    switch (role) {
-        case studies::ButtonRole::go_on:
-            return "go_on";
-        case studies::ButtonRole::leave:
-            return "leave";
-        case studies::ButtonRole::play:
-            return "play";
-        case studies::ButtonRole::option:
-            return "option";
-        case studies::ButtonRole::other:
-            break;
-    }
-    return "other";
-}
-
 ordered_json textsJson(const studies::Panel& panel) {
     auto out = ordered_json::array();
     for (const studies::PanelText& text : panel.texts)
@@ -50,7 +34,7 @@ ordered_json buttonsJson(const studies::Panel& panel) {
                        {"id", button.id},
                        {"enabled", button.enabled},
                        {"chosen", button.chosen},
-                       {"role", roleName(button.role)}});
+                       {"role", std::string(studies::buttonRoleName(button.role))}});
     return out;
 }
 

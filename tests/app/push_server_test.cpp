@@ -10,7 +10,8 @@ namespace {
 /// Takes away what versions 5 and 6 added, in a file or on a server.
 constexpr const char* back_to_4 =
     "DROP VIEW responses_flat; DROP VIEW IF EXISTS game_trials; DROP VIEW IF EXISTS game_choices;"
-    "DROP VIEW IF EXISTS placements; ALTER TABLE trials ADD COLUMN distractors TEXT;"
+    "DROP VIEW IF EXISTS placements; DROP VIEW IF EXISTS authored; ALTER TABLE trials ADD COLUMN distractors "
+    "TEXT;"
     "ALTER TABLE trials ADD COLUMN balls TEXT; ALTER TABLE trials ADD COLUMN target_place INTEGER;"
     "ALTER TABLE responses ADD COLUMN chosen_place INTEGER; ALTER TABLE responses ADD COLUMN correct INTEGER;"
     "UPDATE trials SET distractors = (SELECT v.text FROM trial_values AS v WHERE v.participant = "

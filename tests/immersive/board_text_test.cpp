@@ -82,9 +82,13 @@ void checkDrawn(const Panel& panel, renderer::BoardFonts& fonts) {
 class ShortClip : public ClipSource {
   public:
     [[nodiscard]] const motion::Clip& clip(const Stimulus& /*stimulus*/) const override { return clip_; }
+    [[nodiscard]] const std::string* project(const Stimulus& /*stimulus*/) const override {
+        return &project_;
+    }
 
   private:
     motion::Clip clip_ = handClip(0.2);
+    std::string project_ = "{}";
 };
 
 /// Every board of one participant's first session that is not like another one.

@@ -436,7 +436,9 @@ TEST_SUITE("studies/study_file") {
     TEST_CASE("The documentation has a row for every key that the loader accepts, and for no other.") {
         const std::vector<std::string> keys = studyKeys();
         CHECK(keys.size() > 100);
-        CHECK(documentedKeys() == keys);
+        const std::vector<std::string> documented = documentedKeys();
+        REQUIRE(documented.size() == keys.size());
+        for (std::size_t i = 0; i < keys.size(); ++i) CHECK(documented[i] == keys[i]);
     }
 
     TEST_CASE("The fixture with every key has every key, but for two that exclude others.") {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -127,6 +128,8 @@ enum class ButtonRole : unsigned char {
     option,  ///< one answer of several: a step of a scale, a preference, an option
     other
 };
+/// "go_on": in traces and to the studio's page.
+[[nodiscard]] std::string_view buttonRoleName(ButtonRole role);
 
 struct PanelButton {
     PanelRect box{};
