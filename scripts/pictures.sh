@@ -19,7 +19,7 @@ session() {
     "$program" run "$study" --station simulated --participant "$participant" --db "$scratch/$study.sqlite" "${options[@]}" --force
 }
 session pointing2023 P01 rating=naturalness aiming-across=across pointing-side-by-side=side-by-side
-session sgtoolkit2021 P12 check=parallel # the check is at the third movement of its page: two are rated by then
+session sgtoolkit2021 P7 check=parallel # the check is at the third movement of its page: two are rated by then
 session genea-pairwise P01 pointing=pairwise
 session free-placement P01 chosen-across=placement
 "$program" targets pointing2023 --picture docs/images/targets.svg --force >/dev/null
