@@ -117,7 +117,7 @@ function endTime(): void {
 
 // With each tick of the clock.
 export function tend(): void {
-  if (!task.value || opening.value !== null) return;
+  if (!task.value || opening.value !== null || finishing.value) return;  // finishing tells all that there is
   const left = left_s.value ?? Infinity;
   if (left <= 0 && atWork.value) endTime();
   const due = performance.now() - lastSent_ms >= every_ms || left > 0 && left < nearEnd_s;
