@@ -272,7 +272,8 @@ Result<motion::WantedGestures> wantedOf(const StudioProject& project, std::size_
         if (auto inside = fits(control, "styleControls", i); !inside) return tl::unexpected(inside.error());
         for (int k = 0; k < control.length; ++k) {
             const double share = control.length == 1 ? 0.5 : static_cast<double>(k) / (control.length - 1);
-            motion::StyleControl& at = out.styles[static_cast<std::size_t>(control.start + k)];
+            motion::StyleControl& at =
+                out.styles[static_cast<std::size_t>(control.start) + static_cast<std::size_t>(k)];
             for (const auto& [curve, value] :
                  {std::pair(&control.curves[0], &at.speed), std::pair(&control.curves[1], &at.space),
                   std::pair(&control.curves[2], &at.handedness)})
