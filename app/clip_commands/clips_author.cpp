@@ -10,12 +10,10 @@
 #include "app/clips/project_clips.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
-#include "assets/joints/bvh.hpp"
 #include "assets/projects/studio_project.hpp"
 #include "clips_commands.hpp"
 #include "core/hash.hpp"
 #include "core/text.hpp"
-#include "motion/upper_body/upper_body.hpp"
 #include "results/answers/authored.hpp"
 
 namespace deixis::app {
@@ -116,25 +114,16 @@ Result<void> authorClips(const ClipsAuthorArguments& options) {
     for (const Source& source : *sources) {
         assets::ManifestRow row;
         row.system = source.system;
-        const auto made = maker.make(source.project);
-        if (!made) {
-            Error error = made.error();
-            error.where = error.where.empty() ? source.name : source.name + ": " + error.where;
-            return tl::unexpected(std::move(error));
-        }
+        const auto made = maker.make(source.project, source.name);
+        if (!made) return tl::unexpected(made.error());
         row.target_id = source.item.empty() ? speechId(made->utterance) : source.item;
         std::string stem = slugOf(row.system, 24) + "-" + row.target_id;
         if (!source.item.empty()) stem += "-" + source.author;
         std::string name = stem;
         for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}-{}", stem, i);
-        row.clip = name + ".bvh";
-        row.sound = name + ".wav";
-        row.fps = motion::upper_body_fps;
         row.author = source.author;
         row.trial = source.trial;
-        row.processing = made->processing;
-        if (auto added = folder.add(row.clip, assets::writeBvh(made->clip)); !added) return added;
-        if (auto added = folder.add(row.sound, made->wav); !added) return added;
+        if (auto added = addProjectClip(*made, name, folder, row); !added) return added;
         rows.push_back(std::move(row));
     }
     if (auto added = folder.add("manifest.csv", assets::manifestCsv(rows)); !added) return added;

@@ -11,7 +11,7 @@
 
 #include "assets/data/data_paths.hpp"
 #include "assets/data/unit_gestures.hpp"
-#include "assets/tables/manifest.hpp"
+#include "assets/joints/bvh.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "motion/authoring/authored_gestures.hpp"
@@ -122,7 +122,15 @@ std::string ProjectClips::processing(const assets::StudioProject& project) {
     return std::string(processingOf(project.system, loaded && parts_->model && parts_->model->synthetic()));
 }
 
-Result<ProjectClip> ProjectClips::make(const assets::StudioProject& project) {
+Result<ProjectClip> ProjectClips::make(const assets::StudioProject& project, const std::string& name) {
+    auto made = makeUnnamed(project);
+    if (made) return made;
+    Error error = made.error();
+    error.where = error.where.empty() ? name : name + ": " + error.where;
+    return tl::unexpected(std::move(error));
+}
+
+Result<ProjectClip> ProjectClips::makeUnnamed(const assets::StudioProject& project) {
     ProjectClip out;
     SpokenProject made;
     if (project.wav.empty()) {
@@ -156,6 +164,16 @@ Result<ProjectClip> ProjectClips::make(const assets::StudioProject& project) {
     out.clip =
         motion::heldFor(motion::avatarClip(gestures, project.relaxed_fingers), out.utterance.duration_s);
     return out;
+}
+
+Result<void> addProjectClip(const ProjectClip& made, const std::string& name, OutputFolder& folder,
+                            assets::ManifestRow& row) {
+    row.clip = name + ".bvh";
+    row.sound = name + ".wav";
+    row.fps = made.clip.framesPerSecond();
+    row.processing = made.processing;
+    if (auto added = folder.add(row.clip, assets::writeBvh(made.clip)); !added) return added;
+    return folder.add(row.sound, made.wav);
 }
 
 }  // namespace deixis::app

@@ -6,9 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/clips/clip_output.hpp"
 #include "app/program/version.hpp"
-#include "assets/joints/bvh.hpp"
 #include "assets/tables/manifest.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
@@ -129,24 +127,14 @@ Result<fs::path> projectsManifest(const studies::SystemSource& system,
         OutputFolder output(making, true, false);
         std::vector<assets::ManifestRow> rows;
         for (const ItemProject& one : projects) {
-            auto made = maker.make(one.project);
-            if (!made) {
-                Error error = made.error();
-                const std::string file = projectFile(system, one.item).string();
-                error.where = error.where.empty() ? file : file + ": " + error.where;
-                return tl::unexpected(std::move(error));
-            }
+            const auto made = maker.make(one.project, projectFile(system, one.item).string());
+            if (!made) return tl::unexpected(made.error());
             assets::ManifestRow& row = rows.emplace_back();
-            row.clip = one.item + ".bvh";
             row.system = system.name;
             row.target_id = one.item;
-            row.fps = made->clip.framesPerSecond();
             row.seed = one.project.seed;
             row.author = one.project.author;
-            row.processing = made->processing;
-            row.sound = one.item + ".wav";
-            if (auto added = output.add(row.clip, assets::writeBvh(made->clip)); !added) return added;
-            if (auto added = output.add(row.sound, made->wav); !added) return added;
+            if (auto added = addProjectClip(*made, one.item, output, row); !added) return added;
         }
         if (auto added = output.add("manifest.csv", assets::manifestCsv(rows)); !added) return added;
         return output.finish();

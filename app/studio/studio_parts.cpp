@@ -37,13 +37,15 @@ Result<server::StudioParts> studioParts(const StudioOptions& options) {
     return parts;
 }
 
-bool addPage(server::ServerSettings& settings) {
+Result<void> addPage(server::ServerSettings& settings) {
     std::error_code code;
     const std::filesystem::path page = assets::dataFile("studio");
-    if (!std::filesystem::is_directory(page, code)) return false;
+    if (!std::filesystem::is_directory(page, code))
+        return fail("studio", "this build has no page",
+                    "Build it where npm can fetch what the page is made of (docs/studio.md)");
     settings.pages = page;
     settings.page_files["/avatar.glb"] = assets::dataFile("avatar.glb");
-    return true;
+    return {};
 }
 
 std::string addressToOpen(const server::HttpServer& server, const server::ServerSettings& settings) {

@@ -44,7 +44,7 @@ server::ServerSettings settingsOf(const ServeArguments& options) {
     if (const auto allowed = server::checkSettings(settings); !allowed)
         rejectUsage(optionOf(allowed.error().where),
                     Error{"", allowed.error().message, allowed.error().hint}.text());
-    addPage(settings);  // a build without the page serves programs alone
+    static_cast<void>(addPage(settings));  // a build without the page serves programs alone
     return settings;
 }
 

@@ -21,9 +21,7 @@ Result<void> studio(const StudioArguments& options) {
     server::ServerSettings settings;
     settings.port = options.port;
     settings.token = server::newToken();
-    if (!addPage(settings))
-        return fail("studio", "this build has no page",
-                    "Build it where npm can fetch what the page is made of (docs/studio.md)");
+    if (const auto page = addPage(settings); !page) return page;
     return serve(settings, options.studio, options.no_browser ? nullptr : openInBrowser);
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
+#include "assets/projects/studio_project.hpp"
 #include "core/text.hpp"
 
 namespace deixis::app {
@@ -37,23 +37,14 @@ const Part* findPart(const std::vector<Part>& parts, int id) {
     return found == parts.end() ? nullptr : &*found;
 }
 
-/// Controls that are in use; as assets/projects counts them.
-int controlsIn(const nlohmann::json& document, const char* list, const char* bypass) {
-    const auto found = document.find(list);
-    if (found == document.end() || !found->is_array()) return 0;
-    const auto off = document.find("bypass");
-    if (off != document.end() && off->is_object() && off->value(bypass, false)) return 0;
-    return static_cast<int>(found->size());
-}
-
+/// Whatever the page tells is kept; of what is no project nothing can be counted.
 studies::AuthoredProject projectOf(const SessionRequest& request) {
     studies::AuthoredProject out{request.text, static_cast<int>(request.edits.size())};
     out.generated = request.generated;
-    const auto project = nlohmann::json::parse(request.text, nullptr, false);
-    const auto document = project.is_object() ? project.find("document") : project.end();
-    if (!project.is_object() || document == project.end() || !document->is_object()) return out;
-    out.poses = controlsIn(*document, "poseControls", "pose");
-    out.styles = controlsIn(*document, "styleControls", "style");
+    if (const auto project = assets::parseStudioProject(request.text, "project")) {
+        out.poses = project->pose_controls;
+        out.styles = project->style_controls;
+    }
     return out;
 }
 

@@ -83,9 +83,7 @@ Result<std::unique_ptr<StudioStation>> StudioStation::open(const StudioStationOp
     server::ServerSettings settings;
     settings.port = options.port;
     settings.token = server::newToken();
-    if (!addPage(settings))
-        return fail("--station studio", "this build has no page",
-                    "Build it where npm can fetch what the page is made of (docs/studio.md)");
+    if (const auto page = addPage(settings); !page) return tl::unexpected(page.error());
     auto parts = studioParts({});
     if (!parts) return tl::unexpected(parts.error());
     if (!study.avatar.empty()) {

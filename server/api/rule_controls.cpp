@@ -45,12 +45,13 @@ std::uint32_t drawnFor(std::uint64_t seed, std::size_t word) {
     return x ^ (x >> 16U);
 }
 
-std::map<std::string, json> framesOfMotions(const StudioWork& work) {
-    std::map<std::string, json> out;
-    for (const motion::UnitGesture& one : work.parts().library)
-        out[one.id] = framesJson(motion::motionOf(one));
-    for (const OwnMotion& one : work.ownMotions().motions) out[one.id] = framesJson(one.motion);
-    return out;
+/// None where it was deleted this moment.
+std::optional<json> framesOf(const StudioWork& work, const OwnMotions& own, const std::string& id) {
+    if (const motion::UnitGesture* shipped = motion::findGesture(work.parts().library, id))
+        return framesJson(motion::motionOf(*shipped));
+    const auto found = std::ranges::find(own.motions, id, &OwnMotion::id);
+    if (found == own.motions.end()) return std::nullopt;
+    return framesJson(found->motion);
 }
 
 std::vector<Taken> takenBy(const json& controls) {
@@ -84,7 +85,7 @@ RuleControls addRuleControls(const StudioWork& work, const Utterance& utterance,
     RuleControls out;
     std::map<std::string, std::vector<std::string>> motions_of;
     for (OwnRule& one : work.ownRules().rules) motions_of[plainWord(one.word)] = std::move(one.motions);
-    const auto frames_of = framesOfMotions(work);
+    const OwnMotions own = work.ownMotions();
     json& controls = asked["pose_controls"];
     if (controls.is_null()) controls = json::array();
     const int total = static_cast<int>(motion::frameCountOf(utterance.duration_s));
@@ -94,10 +95,9 @@ RuleControls addRuleControls(const StudioWork& work, const Utterance& utterance,
         const auto rule = motions_of.find(plainWord(word.text));
         if (rule == motions_of.end()) continue;
         const std::string& id = rule->second[drawnFor(seed, k) % rule->second.size()];
-        const auto motion = frames_of.find(id);
-        if (motion == frames_of.end()) continue;  // deleted this moment
-        const json& frames = motion->second;
-        const int length = static_cast<int>(frames.size());
+        const auto frames = framesOf(work, own, id);
+        if (!frames) continue;
+        const int length = static_cast<int>(frames->size());
         const double middle = (word.start_s + word.end_s) / 2.0 * motion::upper_body_fps;
         const int wanted =
             std::min(std::max(0, static_cast<int>(std::floor(middle - length / 2.0 + 0.5))), total - length);
@@ -107,7 +107,7 @@ RuleControls addRuleControls(const StudioWork& work, const Utterance& utterance,
             out.no_room.push_back(static_cast<int>(k));
             continue;
         }
-        controls.push_back({{"start_frame", *start}, {"frames", frames}});
+        controls.push_back({{"start_frame", *start}, {"frames", *frames}});
         out.put.push_back({static_cast<int>(k), id, *start, length});
     }
     if (controls.empty()) asked.erase("pose_controls");

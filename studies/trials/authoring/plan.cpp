@@ -24,9 +24,10 @@ std::vector<const TargetItem*> shuffledSpeeches(const std::vector<TargetItem>& t
 std::vector<const TargetItem*> takeSpeeches(const std::vector<TargetItem>& targets, std::uint64_t seed,
                                             int from, int count) {
     const int all = static_cast<int>(targets.size());
-    std::vector<const TargetItem*> out;
+    std::vector<const TargetItem*> out, round;
     for (int at = from; static_cast<int>(out.size()) < count; ++at) {
-        const TargetItem* item = shuffledSpeeches(targets, seed, at / all)[at % all];
+        if (round.empty() || at % all == 0) round = shuffledSpeeches(targets, seed, at / all);
+        const TargetItem* item = round[static_cast<std::size_t>(at % all)];
         if (std::find(out.begin(), out.end(), item) == out.end()) out.push_back(item);
     }
     return out;

@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "app/clips/clip_output.hpp"
 #include "assets/projects/studio_project.hpp"
+#include "assets/tables/manifest.hpp"
 #include "core/error.hpp"
 #include "motion/skeleton/clip.hpp"
 
@@ -29,7 +31,8 @@ class ProjectClips {
 
     /// Errors name what of the project: a voice that flite does not have, a text that it cannot speak,
     /// controls that do not fit into the speech; and, where this build has no voices, that it has none.
-    [[nodiscard]] Result<ProjectClip> make(const assets::StudioProject& project);
+    /// `name` stands for the project in them.
+    [[nodiscard]] Result<ProjectClip> make(const assets::StudioProject& project, const std::string& name);
 
     /// What a manifest will say of a project's clip; empty where nothing can be told, as where it cannot be
     /// made.
@@ -40,8 +43,14 @@ class ProjectClips {
     [[nodiscard]] Result<std::string> sources();
 
   private:
+    [[nodiscard]] Result<ProjectClip> makeUnnamed(const assets::StudioProject& project);
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
+
+/// NAME.bvh and NAME.wav, and what the manifest's row says of them.
+[[nodiscard]] Result<void> addProjectClip(const ProjectClip& made, const std::string& name,
+                                          OutputFolder& folder, assets::ManifestRow& row);
 
 }  // namespace deixis::app

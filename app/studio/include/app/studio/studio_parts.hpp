@@ -14,8 +14,9 @@ inline constexpr int usual_port = 8765;
 /// But for a folder: nothing is kept on the disk.
 [[nodiscard]] Result<server::StudioParts> studioParts(const StudioOptions& options);
 
-/// The studio's page and the avatar, where this build has the page; whether it has.
-bool addPage(server::ServerSettings& settings);
+/// The studio's page and the avatar. Error: this build has no page; a server without it is for programs
+/// alone.
+[[nodiscard]] Result<void> addPage(server::ServerSettings& settings);
 
 /// With the token.
 [[nodiscard]] std::string addressToOpen(const server::HttpServer& server,
